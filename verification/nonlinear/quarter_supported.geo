@@ -5,6 +5,7 @@ DefineConstant[
   width = {0.2, Min 0, Name "Quarter/2 Width of the whole, along y (m)"}
   thickness = {0.002, Min 0, Name "Quarter/3 Thickness (m)"}
   size = {0.01, Min 0, Name "Quarter/4 In-plane element size (m)"}
+  hexahedra = {0, Choices {0, 1}, Name "Quarter/5 Hexahedra instead of tetrahedra"}
 ];
 
 z = -thickness / 2;
@@ -22,8 +23,14 @@ Transfinite Curve {1, 3} = Ceil(length / (2 * size) - 1e-6) + 1;
 Transfinite Curve {2, 4} = Ceil(width / (2 * size) - 1e-6) + 1;
 Transfinite Surface {1} Alternate;
 
-lower[] = Extrude {0, 0, thickness / 2} { Surface{1}; Layers{1}; };
-upper[] = Extrude {0, 0, thickness / 2} { Surface{lower[0]}; Layers{1}; };
+If (hexahedra)
+  Recombine Surface {1};
+  lower[] = Extrude {0, 0, thickness / 2} { Surface{1}; Layers{1}; Recombine; };
+  upper[] = Extrude {0, 0, thickness / 2} { Surface{lower[0]}; Layers{1}; Recombine; };
+Else
+  lower[] = Extrude {0, 0, thickness / 2} { Surface{1}; Layers{1}; };
+  upper[] = Extrude {0, 0, thickness / 2} { Surface{lower[0]}; Layers{1}; };
+EndIf
 middle[] = Boundary{ Surface{lower[0]}; };
 
 Physical Volume("body") = {lower[1], upper[1]};

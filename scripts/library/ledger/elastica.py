@@ -34,7 +34,7 @@ def measure(name, case, program):
             for size in case["sizes"] for load in case["loads"]}
     if not program.short:
         draw(name, case, rows)
-    return measured(case, [row for load in case["loads"] for row in rows[case["sizes"][-1], load]], program)
+    return measured(case, [[row for load in case["loads"] for row in rows[case["sizes"][-1], load]]], program)
 
 
 def length_and_stiffness(deck):

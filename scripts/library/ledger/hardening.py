@@ -57,7 +57,7 @@ def measure(name, case, program):
         draw(name, case, amplitude, frequency / pitch, coefficient)
     if "glide" in case:
         rows += glide.measure(name, case, program, result, pitch, deflection[0], coefficient)
-    return measured(case, rows, program)
+    return measured(case, [rows], program)
 
 
 def theory(case):

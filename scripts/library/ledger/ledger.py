@@ -51,10 +51,10 @@ class Section:
         return [row for rows in self.tables for row in rows]
 
 
-def measured(case, rows, program):
-    """A section of one table, with the case's `source` before and its `pictures` after."""
+def measured(case, tables, program):
+    """A section of tables, with the case's `source` before and its `pictures` after."""
     shown = [] if program.short else [f"![{name}](pictures/{name}.png)" for name in case["pictures"]]
-    return Section([rows], before=[f"{case['source']}.", ""], after=[*shown, ""])
+    return Section(tables, before=[f"{case['source']}.", ""], after=[*shown, ""])
 
 
 def cents(frequency, reference):

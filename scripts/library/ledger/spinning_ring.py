@@ -43,7 +43,7 @@ def measure(name, case, program):
                      case["tolerance"]) for way, reference, computed in zip(("against", "with"), expected, found)]
     if not program.short:
         draw(name, still, points)
-    return measured(case, rows, program)
+    return measured(case, [rows], program)
 
 
 def frequency_in_plane(modes):
