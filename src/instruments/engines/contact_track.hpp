@@ -1,0 +1,31 @@
+#pragma once
+// What of a contact's impulses is an impact, and what a load that lasts.
+
+namespace idiophone::engines {
+
+/// A physics engine reports an impulse in each step, also for what rests, rolls or trembles. An impact at each of them
+/// would sound like a machine gun. So an impulse is an impact only as far as it exceeds what the contact was used to:
+/// an envelope of its impulses, which falls by a factor of e within 0.1 s.
+class ContactTrack {
+ public:
+  struct Share {
+    double impact = 0.0;  ///< N s
+    double load = 0.0;    ///< N
+  };
+
+  /// @param impulse   of a step, N s
+  /// @param duration  of the step, s
+  Share follow(double impulse, double duration);
+
+  /// The contact was not there in a step.
+  void pause(double duration) { static_cast<void>(follow(0.0, duration)); }
+
+  /// Since the last impulse, s.
+  [[nodiscard]] double silence() const { return silence_; }
+
+ private:
+  double envelope_ = 0.0;  // N s
+  double silence_ = 0.0;
+};
+
+}  // namespace idiophone::engines
