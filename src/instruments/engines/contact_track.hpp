@@ -10,21 +10,19 @@ class ContactTrack {
  public:
   struct Share {
     double impact = 0.0;  ///< N s
-    double load = 0.0;    ///< N
+    double load = 0.0;    ///< N; zero if nothing touched for 0.1 s
   };
 
   /// @param impulse   of a step, N s
   /// @param duration  of the step, s
   Share follow(double impulse, double duration);
 
-  /// The contact was not there in a step.
-  void pause(double duration) { static_cast<void>(follow(0.0, duration)); }
-
   /// Since the last impulse, s.
   [[nodiscard]] double silence() const { return silence_; }
 
  private:
   double envelope_ = 0.0;  // N s
+  double load_ = 0.0;      // N
   double silence_ = 0.0;
 };
 
