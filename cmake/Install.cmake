@@ -42,7 +42,7 @@ if(TARGET idiophone_python)
 endif()
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/python3-idiophone RENAME copyright COMPONENT python)
 
-# The libraries of proxies and of timbre trees for other programs.
+# The libraries of proxies, timbre trees and voices for other programs.
 include(CMakePackageConfigHelpers)
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Idiophone)
 configure_package_config_file(${PROJECT_SOURCE_DIR}/cmake/IdiophoneConfig.cmake.in ${PROJECT_BINARY_DIR}/IdiophoneConfig.cmake
@@ -57,3 +57,8 @@ install(DIRECTORY include/idiophone/timbre/nodes include/idiophone/timbre/langua
         DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/idiophone/timbre)
 install(FILES include/idiophone/foundation/types.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/idiophone/foundation)
 install(FILES include/idiophone/foundation/deck/location.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/idiophone/foundation/deck)
+install(TARGETS idiophone_voices_static idiophone_voices_shared ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
+        LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(FILES include/idiophone/voices.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/idiophone)
+install(DIRECTORY include/idiophone/instruments/engines DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/idiophone/instruments)
+install(DIRECTORY LICENSES DESTINATION ${CMAKE_INSTALL_DATADIR}/idiophone)

@@ -98,6 +98,25 @@ class Install(program.TestCase):
                          r"[1-9]\d* choices of levels, 0 forces left out")
         self.assertGreater((self.output / "sound.wav").stat().st_size, 4 * 44100)
 
+    def test_library_of_voices_builds_the_example(self):
+        deck, voice = self.output / "ideal.yaml", self.output / "bar.voice"
+        deck.write_text("name: ideal\nlisteners: {ear: {type: mono, position: [0, 0, 1]}}\nideal_bodies:\n  bar: {type: bar, length: 0.3,"
+                        " width: 0.03, stiffness: 50, density: 1.1, friction: 0.002, ends: free}\n")
+        self.call(program.PROGRAM, "map", deck, "--modes", 12, "--output-folder", self.output)
+        self.call(program.PROGRAM, "export", self.output / "ideal_bar.map.h5", "--voice", voice)
+        self.assertRegex(self.call(BUILD / "ctest/voices_in_c", voice), r"^1 impacts, 1 strokes, [1-9].*; a step takes more than 0 s")
+        bodies = self.build_example("many_bodies")
+        said = self.call(bodies, self.output / "pit.wav", "6", "2", "1", voice).splitlines()
+        self.assertEqual(len(said), 3)
+        impacts, left_out = map(int, said[-1].split()[-2:])
+        self.assertGreater(impacts, 5)
+        self.assertEqual(left_out, 0)
+        sound = scipy.io.wavfile.read(self.output / "pit.wav")[1]
+        self.assertEqual(sound.shape, (2 * 48000, 2))
+        self.assertGreater(abs(sound).max(), 0)
+        libraries = self.call("ldd", self.prefix / "lib/libidiophone_voices.so") + self.call("ldd", bodies)
+        self.assertNotRegex(libraries, "libmpi|libhdf5|libpetsc|libfftw|libfmt|libyaml")
+
     def test_library_of_timbre_trees_builds_the_example(self):
         lamp = self.build_example("creaking_lamp")
         tree = program.SOURCE / "examples/creaking_lamp/knock.tt"

@@ -7,7 +7,10 @@
 #include "fixture.hpp"
 #include "hdf5_mutations.hpp"
 #include "idiophone/air/harmonic/radiation_file.hpp"
+#include "idiophone/foundation/deck/tree.hpp"
+#include "idiophone/foundation/text_file.hpp"
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
+#include "idiophone/instruments/sound_maps/voice_file.hpp"
 #include "idiophone/run/results/surface_motion_file.hpp"
 #include "results.hpp"
 #include "small_map.hpp"
@@ -116,6 +119,28 @@ TEST_F(Stored, SoundMap) {
   sound_maps::write_sound_map(map, sound_maps::small_map());
   expect_stored("sound_map", map, [](const File& file) { static_cast<void>(sound_maps::read_sound_map(file)); });
   expect_stored("sound_map_info", map, describe);
+}
+
+TEST_F(Stored, Voice) {
+  const File voice = folder / "plate.voice";
+  write_text(voice, sound_maps::voice_file(sound_maps::small_map()));
+  const auto read = [](const File& file) { static_cast<void>(sound_maps::read_voice(file)); };
+  expect_answers({.type = "voice", .originals = {voice}, .mutate = mutate_bytes, .read = read});
+  // With a right checksum: what the contents say is not believed either.
+  const auto mutate_contents = [](const File& file, Random& random) {
+    mutate_bytes(file, random);
+    std::string bytes = deck::read_text(file);
+    constexpr std::size_t sum = 20, contents = 28;  // where they begin
+    if (bytes.size() > contents) {
+      bytes.replace(0, sum, deck::read_text(file.parent_path() / "plate.voice"), 0, sum);
+      const std::uint64_t right = sound_maps::voice_checksum(std::span(bytes).subspan(contents));
+      for (std::size_t i = 0; i < sizeof(right); ++i) {
+        bytes[sum + i] = static_cast<char>(right >> (8U * i));
+      }
+    }
+    write_text(file, bytes);
+  };
+  expect_answers({.type = "voice_contents", .originals = {voice}, .mutate = mutate_contents, .read = read});
 }
 
 TEST_F(Stored, Radiation) {

@@ -14,6 +14,7 @@
 #include "idiophone/instruments/sound_maps/exports.hpp"
 #include "idiophone/instruments/sound_maps/radiated_power.hpp"
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
+#include "idiophone/instruments/sound_maps/voice_file.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/timbre/export/tree_faust.hpp"
 #include "map_warnings.hpp"
@@ -27,6 +28,7 @@ struct ExportOptions {
   std::filesystem::path faust;      ///< to write, if any
   std::filesystem::path gltf;       ///< to write, if any
   std::filesystem::path power;      ///< to write, if any
+  std::filesystem::path voice;      ///< to write, if any
   std::vector<double> at;           ///< where the force acts in Faust and for the power, m; empty for the first vertex
   std::vector<double> direction;    ///< of that force; empty for down
   std::string listener;             ///< who hears it in Faust; empty for the first
@@ -50,6 +52,7 @@ void declare(CLI::App& app, ExportOptions& options) {
       ->expected(3);
   app.add_option("--listener", options.listener, "who hears it in Faust (default: the first)");
   app.add_option("--gltf", options.gltf, "FILE.gltf with the extension KHR_audio_rigid_bodies");
+  app.add_option("--voice", options.voice, "FILE.voice: a flat file for the library of voices in engines");
 }
 
 /// @param values  three numbers, or none
@@ -76,8 +79,8 @@ void write_and_report(const std::filesystem::path& path, const std::string& text
 
 /// A timbre tree as a program in Faust.
 int export_tree(const ExportOptions& options) {
-  if (options.faust.empty() || !options.gltf.empty() || !options.power.empty()) {
-    throw std::runtime_error("a timbre tree is exported by --faust FILE.dsp, without --gltf and --power");
+  if (options.faust.empty() || !options.gltf.empty() || !options.power.empty() || !options.voice.empty()) {
+    throw std::runtime_error("a timbre tree is exported by --faust FILE.dsp, without --gltf, --power and --voice");
   }
   write_and_report(options.faust, timbre::faust_program(options.map));
   return loop::exit_finished;
@@ -126,19 +129,25 @@ int export_map(const ExportOptions& options) {
   if (options.map.extension() == ".tt") {
     return export_tree(options);
   }
-  if (options.faust.empty() && options.gltf.empty() && options.power.empty()) {
-    throw std::runtime_error("nothing to do: give --faust FILE.dsp, --gltf FILE.gltf or --power FILE.csv");
+  if (options.faust.empty() && options.gltf.empty() && options.power.empty() && options.voice.empty()) {
+    throw std::runtime_error(
+        "nothing to do: give --faust FILE.dsp, --gltf FILE.gltf, --power FILE.csv or --voice FILE.voice");
   }
   if (options.power.empty() && !options.frequencies.empty()) {
     throw std::runtime_error("--frequencies are those of --power FILE.csv; give both");
   }
   const sound_maps::SoundMap map = sound_maps::read_sound_map(options.map);
-  warn_of_small_vibrations(map, "an export");
+  if (!options.faust.empty() || !options.gltf.empty() || !options.power.empty()) {
+    warn_of_small_vibrations(map, "an export");
+  }
   if (!options.faust.empty()) {
     export_faust(map, options);
   }
   if (!options.power.empty()) {
     export_power(map, options);
+  }
+  if (!options.voice.empty()) {
+    write_and_report(options.voice, sound_maps::voice_file(map));
   }
   if (!options.gltf.empty()) {
     write_and_report(options.gltf, sound_maps::gltf_file(map));
@@ -150,8 +159,8 @@ int export_map(const ExportOptions& options) {
 
 Command export_command() {
   return make_command<ExportOptions>(
-      "export", "write a sound map for Faust or as glTF, its sound power, or a timbre tree for Faust", Ranks::one,
-      declare, export_map);
+      "export", "write a sound map for Faust, as glTF or for engines, its sound power, or a timbre tree for Faust",
+      Ranks::one, declare, export_map);
 }
 
 }  // namespace idiophone::app

@@ -2,9 +2,6 @@
 
 #include "actions.hpp"
 
-#include <cmath>
-#include <numbers>
-
 #include "idiophone/scene/ranges.hpp"
 #include "idiophone/scene/sections.hpp"
 
@@ -135,11 +132,6 @@ void read_detail(Section& section, Detail& detail) {
   if (!detail.level && !detail.priority && !detail.budget && !detail.most_active) {
     section.mistakes().add(section.node(), "changes nothing; give level, priority, budget or most_active");
   }
-}
-
-double Hammer::contact_duration() const {
-  static const double factor = 0.8 * std::sqrt(std::numbers::pi) * std::tgamma(0.4) / std::tgamma(0.9);  // 2.9433
-  return factor * std::pow(1.25 * mass * speed * speed / hardness, 0.4) / speed;
 }
 
 double AppliedForce::end() const {

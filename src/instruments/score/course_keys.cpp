@@ -1,7 +1,6 @@
 #include "course_keys.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <functional>
 
 namespace idiophone::score {
@@ -40,25 +39,6 @@ bool read(const Node& node, Mistakes& mistakes, Course& course, const CourseRule
     return mistakes.add(node, "the times of the points must ascend");
   }
   return true;
-}
-
-double Course::at(double time) const {
-  const auto next = std::ranges::upper_bound(points, time, {}, &Point::time);
-  if (next == points.begin() || next == points.end()) {
-    return (next == points.begin() ? points.front() : points.back()).value;
-  }
-  const Point& before = *std::prev(next);
-  return std::lerp(before.value, next->value, (time - before.time) / (next->time - before.time));
-}
-
-double Course::largest() const {
-  return std::ranges::max_element(points, {}, &Point::value)->value;
-}
-
-void Course::scale(double factor) {
-  for (Point& point : points) {
-    point.value *= factor;
-  }
 }
 
 }  // namespace idiophone::score

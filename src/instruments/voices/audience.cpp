@@ -5,12 +5,6 @@
 
 namespace idiophone::voices {
 
-Audience::Audience(scene::Listener listener, int rate) : listener_(std::move(listener)) {
-  if (listener_->head) {
-    head_ = std::make_shared<const receivers::HeadResponses>(listener_->head->responses, rate);
-  }
-}
-
 std::size_t Audience::receivers() const {
   return std::max<std::size_t>(1, listener_ ? listener_->receivers.size() : fixed_.size());
 }
@@ -20,7 +14,7 @@ std::vector<HearingPoint> Audience::points(double time) const {
     return fixed_;
   }
   std::vector<HearingPoint> points;
-  for (std::size_t r = 0; r < (head_ ? 1 : receivers()); ++r) {
+  for (std::size_t r = 0; r < (has_head() ? 1 : receivers()); ++r) {
     const scene::Receiver& receiver = listener_->receivers[r];
     const Vector3 position = listener_->place(receiver, time).position + shift_;
     points.push_back({.position = position, .axis = receiver.axis, .directivity = receiver.directivity});
@@ -59,11 +53,7 @@ std::vector<double> Audience::head_responses(const Vector3& place, const Hearing
   const auto& [look, up, responses, where] = *listener_->head;
   const Vector3 way = place - point.position;
   const Vector3 in_head(look.dot(way), up.cross(look).dot(way), up.dot(way));
-  std::vector<double> both;
-  for (const std::vector<double>& ear : head_->responses(head_->nearest(in_head))) {
-    both.insert(both.end(), ear.begin(), ear.end());
-  }
-  return both;
+  return head_(in_head);
 }
 
 Vector3 middle_of(std::span<const HearingPoint> points) {

@@ -93,6 +93,10 @@ void SoundMapVoices::hear_at(const ListenerPlace& place) {
   }
 }
 
+void SoundMapVoices::hear_at(std::size_t body, const ListenerPlace& place) {
+  bodies_[body]->hear_at(place);
+}
+
 void SoundMapVoices::attend() {
   for (const auto& body : bodies_) {
     body->attend();

@@ -2,12 +2,11 @@
 // Who hears a stage, and where.
 
 #include <cstdint>
-#include <memory>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
 
-#include "idiophone/air/receivers/head_responses.hpp"
 #include "idiophone/scene/listeners.hpp"
 
 namespace idiophone::voices {
@@ -33,6 +32,8 @@ class Audience {
   Audience() = default;
   /// @throws std::runtime_error if the responses of its head can't be read
   Audience(scene::Listener listener, int rate);
+  /// Without the head of the listener.
+  explicit Audience(scene::Listener listener) : listener_(std::move(listener)) {}
   /// Receivers at these places, that do not move.
   explicit Audience(std::vector<HearingPoint> receivers) : fixed_(std::move(receivers)) {}
 
@@ -65,7 +66,8 @@ class Audience {
 
   std::optional<scene::Listener> listener_;
   std::vector<HearingPoint> fixed_;
-  std::shared_ptr<const receivers::HeadResponses> head_;
+  /// [2 x taps] responses of the ears to a direction in the frame of the head; null without a head.
+  std::function<std::vector<double>(const Vector3& direction)> head_;
   Vector3 shift_ = Vector3::Zero();  // from where the listener was at first, m
 };
 

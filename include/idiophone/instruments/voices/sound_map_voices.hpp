@@ -45,6 +45,8 @@ class SoundMapVoices : public Voice {
   void set_detail(std::size_t body, const score::Detail& detail, std::int64_t start) override;
   void set_budget(double budget, std::int64_t start) override;
   void hear_at(const ListenerPlace& place) override;
+  /// Of one body: where the listener is in the coordinates of the body, which moves.
+  void hear_at(std::size_t body, const ListenerPlace& place);
   void attend() override;
   [[nodiscard]] VoiceReport report() const override;
   void render(std::span<double> sound, std::int64_t clock) override;

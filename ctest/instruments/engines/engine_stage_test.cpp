@@ -1,0 +1,205 @@
+// What engines hear is what `play` plays.
+
+#include "idiophone/instruments/engines/engine_stage.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "idiophone/instruments/sound_maps/voice_file.hpp"
+#include "performance.hpp"
+#include "shared_folder.hpp"
+#include "sheet_map.hpp"
+#include "strictness.hpp"
+#include "surface_pair.hpp"
+
+namespace idiophone::engines {
+
+namespace {
+
+constexpr int rate = 48000, frames = 800;
+constexpr double duration = static_cast<double>(frames) / rate;
+const Surface steel;
+
+SharedMap sheet_map() {
+  return std::make_shared<const sound_maps::SoundMap>(sound_maps::sheet());
+}
+
+StageOptions options(double latency = 0.0) {
+  return {.rate = rate, .ears = {{0.1, 0.3, 0.8}}, .latency = latency};
+}
+
+ContactEvent blow() {
+  return {.point = {0.06, 0.03, 0.0}, .normal = {0, 0, -1}, .impulse = 0.02, .mass = 0.01, .moment = 0.25};
+}
+
+/// What follows a step of the physics.
+std::vector<double> heard(EngineStage& stage, int steps = 1) {
+  std::vector<double> sound;
+  for (int i = 0; i < steps; ++i) {
+    stage.step(duration);
+    std::vector<double> block(frames * stage.channels());
+    stage.render(block);
+    sound.insert(sound.end(), block.begin(), block.end());
+  }
+  return sound;
+}
+
+/// A stage with a sheet that slides for some steps, with its impulses between two bounds in turn.
+std::vector<double> slide(EngineStage& stage, int steps, double speed, double least, double most) {
+  std::vector<double> sound;
+  for (int i = 0; i < steps; ++i) {
+    ContactEvent event = blow();
+    event.phase = i == 0 ? ContactEvent::Phase::begin : ContactEvent::Phase::persist;
+    event.impulse = i % 2 == 0 ? most : least;
+    event.slip = {speed, 0, 0};
+    stage.contact(event);
+    const std::vector<double> more = heard(stage);
+    sound.insert(sound.end(), more.begin(), more.end());
+  }
+  return sound;
+}
+
+double loudest(const std::vector<double>& sound) {
+  return std::abs(*std::ranges::max_element(sound, {}, [](double pa) { return std::abs(pa); }));
+}
+
+double largest_step(const std::vector<double>& sound) {
+  double largest = 0.0;
+  for (std::size_t i = 1; i < sound.size(); ++i) {
+    largest = std::max(largest, std::abs(sound[i] - sound[i - 1]));
+  }
+  return largest;
+}
+
+}  // namespace
+
+TEST(EngineStage, ABlowSoundsAsInPlayToTheBit) {
+  EngineStage stage(options(), {sheet_map()}, {steel});
+  stage.contact(blow());
+  const std::vector<double> found = heard(stage, 30);
+
+  score::Score score;
+  score.listener.emplace().receivers = {{.channel = "ear", .position = {0.1, 0.3, 0.8}}};
+  const score::HammerBlow struck{
+      .at = {0.06, 0.03, 0.0}, .direction = -Vector3::UnitZ(), .hammer = impact_of(0.02, 0.01, steel, steel)};
+  score.events = {{.time = 0.25 * duration, .body = 0, .action = struck}};
+  voices::Performance performance({sound_maps::sheet()}, score, rate);
+  EXPECT_GT(loudest(found), 1e-3);
+  EXPECT_EQ(found, performance.rendered(30 * frames));
+}
+
+/// The body and the listener turn together: nothing else changes.
+TEST(EngineStage, HearsABodyFromWhereItIs) {
+  EngineStage still(options(), {sheet_map()}, {steel}), moved(options(), {sheet_map()}, {steel});
+  still.contact(blow());
+  const double half = std::numbers::sqrt2 / 2.0;  // a quarter turn about x: y becomes z
+  moved.place(0, {.position = {5, 6, 7}, .turn = {half, 0, 0, half}});
+  moved.listen(std::vector<Triple>{{5.1, 6 - 0.8, 7.3}});
+  ContactEvent event = blow();
+  event.point = {5.06, 6, 7.03};
+  event.normal = {0, 1, 0};
+  moved.contact(event);
+  const std::vector<double> expected = heard(still, 20), found = heard(moved, 20);
+  double difference = 0.0;
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    difference = std::max(difference, std::abs(found[i] - expected[i]));
+  }
+  EXPECT_LT(difference, 1e-9 * loudest(expected));
+}
+
+TEST(EngineStage, BothBodiesOfAContactSound) {
+  EngineStage stage(options(), {sheet_map(), sheet_map()}, {steel});
+  EngineStage one(options(), {sheet_map()}, {steel});
+  ContactEvent event = blow();
+  one.contact(event);
+  event.bodies = {0, 1};
+  stage.contact(event);
+  // Opposite forces at the same place of equal bodies cancel.
+  EXPECT_LT(loudest(heard(stage, 10)), 1e-12 * loudest(heard(one, 10)));
+}
+
+TEST(EngineStage, SlidingHasNoClicksAndNoRateOfThePhysics) {
+  EngineStage stage(options(), {sheet_map()}, {steel});
+  const std::vector<double> steady = slide(stage, 120, 0.5, 0.01, 0.01);
+  EngineStage other(options(), {sheet_map()}, {steel});
+  const std::vector<double> trembling = slide(other, 120, 0.5, 0.0, 0.02);
+  EXPECT_EQ(stage.report().impacts, 1);
+  EXPECT_EQ(other.report().impacts, 1);
+  const auto later = [](const std::vector<double>& sound) {
+    return std::vector<double>(sound.begin() + 60 * frames, sound.end());
+  };
+  EXPECT_GT(loudest(later(steady)), 0.0);
+  EXPECT_LT(largest_step(later(trembling)), 3.0 * largest_step(later(steady)));
+}
+
+/// A piece that nobody goes on with falls to zero.
+TEST(EngineStage, NothingClicksWhenTheEngineStops) {
+  EngineStage stage(options(), {sheet_map()}, {steel});
+  const std::vector<double> sliding = slide(stage, 60, 0.5, 0.01, 0.01);
+  std::vector<double> rest(20 * frames);
+  stage.render(rest);
+  const std::vector<double> end(sliding.end() - 20 * frames, sliding.end());
+  EXPECT_LE(largest_step(rest), largest_step(end));
+}
+
+TEST(EngineStage, NeverLocksOrAllocatesInTheAudioThread) {
+  EngineStage stage(options(), {sheet_map(), sheet_map()}, {steel});
+  std::vector<float> block(frames);
+  const long before = plugin::AudioThread::offences();
+  for (int i = 0; i < 60; ++i) {
+    ContactEvent event = blow();
+    event.contact = static_cast<std::uint64_t>(i % 7);
+    event.bodies = {i % 2, ContactEvent::nobody};
+    event.slip = {0.3, 0, 0};
+    stage.contact(event);
+    stage.place(0, {.position = {0.01 * i, 0, 0}});
+    stage.step(duration);
+    const plugin::AudioThread thread;
+    stage.render(block, 1.0);
+  }
+  EXPECT_GT(stage.report().strokes, 0);
+  EXPECT_EQ(plugin::AudioThread::offences() - before, 0);
+}
+
+TEST(EngineStage, LeavesOutContactsWhileNobodyListens) {
+  EngineStage stage(options(), {sheet_map()}, {steel});
+  for (int i = 0; i < 60; ++i) {
+    stage.contact(blow());
+    stage.step(duration);
+  }
+  EXPECT_GT(stage.report().left_out, 40);
+}
+
+TEST(EngineStage, RefusesWhatIsNotThere) {
+  EngineStage stage(options(), {sheet_map()}, {steel});
+  const auto refusal = [&](const auto& change) {
+    ContactEvent event = blow();
+    change(event);
+    return support::error_of([&] { stage.contact(event); });
+  };
+  EXPECT_EQ(refusal([](ContactEvent& event) {
+              event.bodies = {0, 1};
+            }),
+            "a contact is between bodies 0 and 1; the stage has 1");
+  EXPECT_EQ(refusal([](ContactEvent& event) { event.surfaces = {0, 1}; }), "a contact has surface 1; the stage has 1");
+  EXPECT_EQ(refusal([](ContactEvent& event) { event.impulse = std::nan(""); }),
+            "a contact has a number that is not finite or above 1e6");
+  EXPECT_EQ(support::error_of([&] { stage.step(0.0); }), "a step takes more than 0 s and at most 1 s");
+  EXPECT_EQ(support::error_of([] { EngineStage({}, {}, {steel}); }), "a stage needs a body");
+}
+
+/// A ball on a flat: 2.87 (m^2/(R E^2 v))^(1/5) (K. L. Johnson, Contact Mechanics, 1985, equation 11.24).
+TEST(SurfacePair, AnImpactTakesAsLongAsHertzSays) {
+  Surface flat;
+  flat.radius = 1e3;
+  const double mass = 0.033, speed = 2.0, modulus = 2e11 / (2.0 * (1.0 - 0.09));
+  const score::Hammer hammer = impact_of(2.0 * mass * speed, mass, steel, flat);
+  EXPECT_DOUBLE_EQ(hammer.speed, speed);
+  const double expected = 2.87 * std::pow(mass * mass / (steel.radius * modulus * modulus * speed), 0.2);
+  EXPECT_NEAR(hammer.contact_duration(), expected, 1e-3 * expected);
+}
+
+}  // namespace idiophone::engines

@@ -1,0 +1,105 @@
+#pragma once
+// Bodies that sound in a game or a simulator (docs/use/engines.md). Only the standard library is needed.
+
+#include <cstdint>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "idiophone/instruments/engines/contact_events.hpp"
+
+namespace idiophone::sound_maps {
+struct SoundMap;
+}
+
+namespace idiophone::engines {
+
+/// A sound map that any number of bodies share.
+using SharedMap = std::shared_ptr<const sound_maps::SoundMap>;
+
+/// Reads a voice file, which `idiophone export MAP.map.h5 --voice FILE.voice` writes.
+/// @throws std::runtime_error when it can't be read, is no voice file, is damaged or of another version
+[[nodiscard]] SharedMap read_map(const std::filesystem::path& file);
+/// @param bytes  of the whole file
+/// @param name   of the file, for messages
+[[nodiscard]] SharedMap read_map(std::span<const char> bytes, const std::string& name);
+
+/// What an engine needs to know of a map to move its body.
+struct MapFacts {
+  std::string body;      ///< its name
+  double mass = 0.0;     ///< kg
+  Triple centre{};       ///< of mass, in the coordinates of the map, m
+  Triple low{}, high{};  ///< corners of the box around its surface, m
+  double young = 2e11;   ///< Young's modulus, Pa; of steel where the map has no material
+  double poisson = 0.3;  ///< Poisson's ratio; likewise
+};
+[[nodiscard]] MapFacts facts_of(const SharedMap& map);
+
+struct StageOptions {
+  int rate = 48000;                                         ///< audio samples per second, 8000 to 384000
+  std::vector<Triple> ears = {{0, 0, 1}};                   ///< places of the receivers at first, m; 1 to 4: channels
+  double latency = 0.02;                                    ///< s, by which sound follows contacts at least
+  double budget = std::numeric_limits<double>::infinity();  ///< processor time per time of sound; what is less
+                                                            ///< audible is left out
+  std::size_t most_strokes = 16;                            ///< contacts that scrape or roll at once
+  std::uint64_t seed = 1;                                   ///< of roughness and of unknown moments
+};
+
+/// What happened lately.
+struct StageReport {
+  std::size_t sounding = 0;    ///< bodies; this and the next three only with a budget
+  std::size_t modes = 0;       ///< of these bodies
+  std::size_t heard = 0;       ///< of these modes
+  double cost = 0.0;           ///< of what is heard, processor time per time of sound, as it is estimated
+  double loss = 0.0;           ///< share of the power that is left out
+  std::size_t strokes = 0;     ///< contacts that scrape or roll
+  std::uint64_t impacts = 0;   ///< so far
+  std::uint64_t left_out = 0;  ///< strokes for which there was no room, and contacts while nobody rendered, so far
+};
+
+/// Sound maps that contacts excite. One thread calls render(), another one all else.
+class EngineStage {
+ public:
+  /// @param bodies    at least one
+  /// @param surfaces  at least one
+  /// @throws std::runtime_error for numbers out of their range
+  EngineStage(StageOptions options, const std::vector<SharedMap>& bodies, std::vector<Surface> surfaces);
+  EngineStage(const EngineStage&) = delete;
+  EngineStage(EngineStage&&) = delete;
+  EngineStage& operator=(const EngineStage&) = delete;
+  EngineStage& operator=(EngineStage&&) = delete;
+  ~EngineStage();
+
+  [[nodiscard]] std::size_t channels() const;
+
+  /// From the next step on, the body is there. @throws std::runtime_error as for contact()
+  void place(std::size_t body, const Pose& pose);
+
+  /// From the next step on, the ears are there. @param ears  as many as there are channels, m
+  void listen(std::span<const Triple> ears);
+
+  /// What happened in the step that follows.
+  /// @throws std::runtime_error for a body or a surface that there is not, and numbers that are not finite
+  void contact(const ContactEvent& event);
+
+  /// The contacts since the last call happened in a step of the physics.
+  /// @param duration  s, above 0 and at most 1
+  void step(double duration);
+
+  /// So far.
+  [[nodiscard]] StageReport report();
+
+  /// The audio thread's part: the next samples, Pa, [frames x channels]. Takes no lock and no memory.
+  void render(std::span<double> sound);
+  /// The same in single precision. @param full_scale  pressure that becomes 1, Pa
+  void render(std::span<float> sound, double full_scale);
+
+ private:
+  class Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace idiophone::engines
