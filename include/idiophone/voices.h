@@ -4,8 +4,8 @@
    idiophone/instruments/engines/engine_stage.hpp says what each number means. SPDX-License-Identifier: MIT OR
    GPL-3.0-or-later
 
-   Each function that can fail returns an idiophone_status. idiophone_message() then says why. Structures have numbers
-   of 8 bytes first, and no padding. Numbers are in SI units. */
+   Each function that can fail returns an idiophone_status. idiophone_message() then says why. What it makes is null
+   then. On machines of 64 bits, structures have no padding. Numbers are in SI units. */
 
 #include <stdint.h>
 
@@ -57,7 +57,7 @@ typedef struct {
   double roll;         /* speed of the point of contact along the surfaces, m/s */
   double mass;         /* that the impulse moves, kg; 0: from the masses of the bodies */
   double moment;       /* of an impact in the step, 0 to 1; below 0: any */
-  int32_t phase;       /* idiophone_phase */
+  int32_t phase;       /* idiophone_phase; the impulse of an end is left out */
   int32_t bodies[2];   /* numbers of the stage, or IDIOPHONE_NOBODY */
   int32_t surfaces[2]; /* numbers of the stage, of both sides */
   int32_t reserved;    /* 0 */
@@ -66,11 +66,11 @@ typedef struct {
 typedef struct {
   uint64_t sounding, modes, heard; /* bodies; modes of these; those that are heard: with a budget only */
   uint64_t strokes, impacts, left_out;
-  double cost; /* processor time per time of sound, as it is estimated */
-  double loss; /* share of the power that is left out */
+  double cost; /* processor time per time of sound, as it is estimated: with a budget only */
+  double loss; /* share of the power that is left out: with a budget only */
 } idiophone_report;
 
-/* Why the last function that failed in this thread did so; never null. */
+/* Why the last function that failed in this thread did so; never null. Valid until the next one fails. */
 IDIOPHONE_API const char* idiophone_message(void);
 
 IDIOPHONE_API idiophone_status idiophone_map_read(const char* file, idiophone_map** map);
@@ -93,7 +93,7 @@ IDIOPHONE_API idiophone_status idiophone_stage_contact(idiophone_stage* stage, c
 IDIOPHONE_API idiophone_status idiophone_stage_step(idiophone_stage* stage, double duration);
 IDIOPHONE_API idiophone_status idiophone_stage_report(idiophone_stage* stage, idiophone_report* report);
 
-/* For the audio thread: the next samples, [frames x channels]. Takes no lock and no memory.
+/* For the audio thread: the next samples, [frames x channels]. Takes no lock and no memory, and leaves no message.
    full_scale: pressure that becomes 1, Pa */
 IDIOPHONE_API idiophone_status idiophone_stage_render(idiophone_stage* stage, float* sound, uint64_t frames,
                                                       double full_scale);

@@ -17,15 +17,20 @@ void add_ranks(CLI::App& app, RankOptions& options) {
   app.add_option("--latency", options.latency,
                  "s: of a message between two ranks, for --ranks (default: 2e-6, or 4e-7 if this machine has a "
                  "processor for each rank)")
+      ->needs(ranks)
       ->check(CLI::Range(0.0, 1.0));
   app.add_option("--overhead", options.overhead,
-                 "s: of the latency, processor time at each end (default: 3e-7, or half of a shorter latency)")
+                 "s: of the latency, processor time at each end (default: 3e-7, or half of a shorter latency; 2e-7 "
+                 "where the latency is 4e-7)")
+      ->needs(ranks)
       ->check(CLI::Range(0.0, 0.5));
   app.add_option("--bandwidth", options.bandwidth, "bytes/s: of a host, for --ranks")
+      ->needs(ranks)
       ->check(CLI::Range(1.0, 1e15))
       ->capture_default_str();
   app.add_option("--ranks-on-host", options.ranks_on_host,
                  "they exchange messages through its memory and share its bandwidth, for --ranks")
+      ->needs(ranks)
       ->check(CLI::Range(1, 1 << 20))
       ->capture_default_str();
   app.add_option("--exchanges", options.exchanges,
@@ -44,8 +49,8 @@ advice::Network network_of(const RankOptions& options) {
   network.ranks_on_host = options.ranks_on_host;
   if (2 * network.overhead > network.latency) {
     throw std::runtime_error(
-        fmt::format("--overhead {} at each end of a message is more than its --latency {}: give the latency that a "
-                    "ping-pong of messages measures, which includes both",
+        fmt::format("messages with an --overhead of {} s at each end take longer than their latency of {} s: give the "
+                    "--latency that a ping-pong of messages measures, which includes both",
                     network.overhead, network.latency));
   }
   return network;

@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "idiophone/instruments/sound_maps/voice_file.hpp"
+#include "led_stroke.hpp"
 #include "performance.hpp"
 #include "shared_folder.hpp"
 #include "sheet_map.hpp"
@@ -135,14 +136,21 @@ TEST(EngineStage, SlidingHasNoClicksAndNoRateOfThePhysics) {
   EXPECT_LT(largest_step(later(trembling)), 3.0 * largest_step(later(steady)));
 }
 
-/// A piece that nobody goes on with falls to zero.
-TEST(EngineStage, NothingClicksWhenTheEngineStops) {
-  EngineStage stage(options(), {sheet_map()}, {steel});
-  const std::vector<double> sliding = slide(stage, 60, 0.5, 0.01, 0.01);
-  std::vector<double> rest(20 * frames);
-  stage.render(rest);
-  const std::vector<double> end(sliding.end() - 20 * frames, sliding.end());
-  EXPECT_LE(largest_step(rest), largest_step(end));
+/// So nothing clicks when the engine stops telling.
+TEST(LedStroke, EachPieceRisesFromZeroAndFallsToZero) {
+  score::Stroke stroke = stroke_of(score::Stroke::Kind::scrape, 0.01, steel, steel);
+  stroke.speed = 0.5;
+  stroke.load = 0.6;
+  LedStroke led(stroke, 1, rate, 1000);
+  for (std::int64_t start : {1000L, 1000 + LedStroke::block}) {
+    const LedStroke::Piece piece = led.next(0);
+    EXPECT_EQ(piece.start, start);
+    ASSERT_EQ(std::ssize(piece.force), 2 * LedStroke::block);
+    const double largest = std::ranges::max(piece.force, {}, &resonators::ForcePiece::mean).mean;
+    EXPECT_LT(piece.force.front().mean, 0.01 * largest);
+    EXPECT_LT(piece.force.back().mean, 0.01 * largest);
+    EXPECT_GT(piece.force[LedStroke::block].mean, 0.01 * largest) << "the halves meet at zero";
+  }
 }
 
 TEST(EngineStage, NeverLocksOrAllocatesInTheAudioThread) {
@@ -173,6 +181,16 @@ TEST(EngineStage, LeavesOutContactsWhileNobodyListens) {
   EXPECT_GT(stage.report().left_out, 40);
 }
 
+/// The listener may be anywhere when a stage is made.
+TEST(EngineStage, EarsMayBeFarAway) {
+  StageOptions far = options();
+  far.ears = {{500, 0, 0}};
+  EngineStage stage(far, {sheet_map()}, {steel});
+  stage.place(0, {.position = {499, 0, 0}});
+  stage.contact(blow());
+  EXPECT_GT(largest_step(heard(stage)), 0.0);
+}
+
 TEST(EngineStage, RefusesWhatIsNotThere) {
   EngineStage stage(options(), {sheet_map()}, {steel});
   const auto refusal = [&](const auto& change) {
@@ -184,6 +202,12 @@ TEST(EngineStage, RefusesWhatIsNotThere) {
               event.bodies = {0, 1};
             }),
             "a contact is between bodies 0 and 1; the stage has 1");
+  EXPECT_EQ(refusal([](ContactEvent& event) { event.bodies = {0, 0}; }), "a contact is between body 0 and itself");
+  EXPECT_EQ(refusal([](ContactEvent& event) {
+              event.normal = {0, 0, 2};
+            }),
+            "the normal of a contact is no unit vector");
+  EXPECT_EQ(refusal([](ContactEvent& event) { event.mass = 1e-300; }), "a contact moves a mass below 1e-9 kg");
   EXPECT_EQ(refusal([](ContactEvent& event) { event.surfaces = {0, 1}; }), "a contact has surface 1; the stage has 1");
   EXPECT_EQ(refusal([](ContactEvent& event) { event.impulse = std::nan(""); }),
             "a contact has a number that is not finite or above 1e6");

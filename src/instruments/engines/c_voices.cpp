@@ -1,9 +1,13 @@
 // The C functions of idiophone/voices.h.
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <cmath>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "idiophone/instruments/engines/engine_stage.hpp"
 #include "idiophone/voices.h"
@@ -24,6 +28,14 @@ std::string& last_message() {
   return message;
 }
 
+void remember(const char* text) noexcept {
+  try {
+    last_message() = text;
+  } catch (...) {
+    last_message().clear();  // no memory for the text
+  }
+}
+
 /// Calls a function that may throw, and says how it went.
 /// @param otherwise  what a std::exception means
 template <class Function>
@@ -32,30 +44,36 @@ idiophone_status answer(idiophone_status otherwise, const Function& function) no
     function();
     return IDIOPHONE_OK;
   } catch (const std::bad_alloc&) {
-    last_message().clear();  // no memory for a text
+    remember("there is no memory for it");
     return IDIOPHONE_NO_MEMORY;
   } catch (const std::invalid_argument& error) {
-    last_message() = error.what();
+    remember(error.what());
     return IDIOPHONE_BAD_ARGUMENT;
   } catch (const std::exception& error) {
-    last_message() = error.what();
+    remember(error.what());
     return otherwise;
   }
 }
 
 /// @throws std::invalid_argument for a null pointer
-template <class... Pointers>
-void require_pointers(const Pointers*... pointers) {
-  if (!((pointers != nullptr) && ...)) {
-    throw std::invalid_argument("a pointer is null");
+void require(const void* pointer, const std::string& name) {
+  if (pointer == nullptr) {
+    throw std::invalid_argument(name + " is null");
   }
 }
 
-std::size_t count_of(int32_t count) {
+/// @throws std::invalid_argument for a number below 0
+std::size_t count_of(int32_t count, const char* name) {
   if (count < 0) {
-    throw std::invalid_argument("a number of things is below 0");
+    throw std::invalid_argument(fmt::format("{} is {}, below 0", name, count));
   }
   return static_cast<std::size_t>(count);
+}
+
+void require_zero(int32_t reserved) {
+  if (reserved != 0) {
+    throw std::invalid_argument(fmt::format("`reserved` is {}; it has to be 0", reserved));
+  }
 }
 
 Triple triple_at(const double* numbers) {
@@ -82,11 +100,12 @@ Surface surface_of(const idiophone_surface& surface) {
 }
 
 StageOptions options_of(const idiophone_options& options) {
-  require_pointers(options.ears);
+  require(options.ears, "`ears` of the options");
+  require_zero(options.reserved);
   StageOptions found{.rate = options.rate,
-                     .ears = triples_at(options.ears, count_of(options.ear_count)),
+                     .ears = triples_at(options.ears, count_of(options.ear_count, "`ear_count`")),
                      .latency = options.latency,
-                     .most_strokes = count_of(options.most_strokes),
+                     .most_strokes = count_of(options.most_strokes, "`most_strokes`"),
                      .seed = options.seed};
   if (options.budget != 0.0) {
     found.budget = options.budget;
@@ -96,8 +115,9 @@ StageOptions options_of(const idiophone_options& options) {
 
 ContactEvent event_of(const idiophone_contact& contact) {
   if (contact.phase < IDIOPHONE_BEGIN || contact.phase > IDIOPHONE_END) {
-    throw std::invalid_argument("a contact has no such phase");
+    throw std::invalid_argument(fmt::format("a contact has the phase {}; there are 0, 1 and 2", contact.phase));
   }
+  require_zero(contact.reserved);
   return {.contact = contact.contact,
           .phase = static_cast<ContactEvent::Phase>(contact.phase),
           .bodies = {contact.bodies[0], contact.bodies[1]},
@@ -114,6 +134,7 @@ ContactEvent event_of(const idiophone_contact& contact) {
 }  // namespace
 
 extern "C" {
+#pragma GCC visibility push(default)  // the header declares them outside this namespace, so its attributes don't count
 
 const char* idiophone_message() {
   return last_message().c_str();
@@ -121,14 +142,18 @@ const char* idiophone_message() {
 
 idiophone_status idiophone_map_read(const char* file, idiophone_map** map) {
   return answer(IDIOPHONE_BAD_FILE, [&] {
-    require_pointers(file, map);
+    require(file, "the file's name");
+    require(map, "the map");
+    *map = nullptr;
     *map = new idiophone_map{read_map(std::filesystem::path(file))};
   });
 }
 
 idiophone_status idiophone_map_from_bytes(const void* bytes, uint64_t size, idiophone_map** map) {
   return answer(IDIOPHONE_BAD_FILE, [&] {
-    require_pointers(bytes, map);
+    require(bytes, "the bytes");
+    require(map, "the map");
+    *map = nullptr;
     *map = new idiophone_map{read_map({static_cast<const char*>(bytes), size}, "a voice in memory")};
   });
 }
@@ -141,13 +166,17 @@ idiophone_status idiophone_stage_create(const idiophone_options* options, const 
                                         int32_t body_count, const idiophone_surface* surfaces, int32_t surface_count,
                                         idiophone_stage** stage) {
   return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
-    require_pointers(options, bodies, surfaces, stage);
+    require(stage, "the stage");
+    *stage = nullptr;
+    require(options, "the options");
+    require(bodies, "the list of bodies");
+    require(surfaces, "the list of surfaces");
     std::vector<SharedMap> maps;
-    for (std::size_t i = 0; i < count_of(body_count); ++i) {
-      require_pointers(bodies[i]);
+    for (std::size_t i = 0; i < count_of(body_count, "the number of bodies"); ++i) {
+      require(bodies[i], fmt::format("the map of body {}", i));
       maps.push_back(bodies[i]->map);
     }
-    std::vector<Surface> sides(count_of(surface_count));
+    std::vector<Surface> sides(count_of(surface_count, "the number of surfaces"));
     std::transform(surfaces, surfaces + sides.size(), sides.begin(), surface_of);
     *stage = new idiophone_stage{{options_of(*options), maps, std::move(sides)}};
   });
@@ -160,35 +189,41 @@ void idiophone_stage_free(idiophone_stage* stage) {
 idiophone_status idiophone_stage_place(idiophone_stage* stage, int32_t body, const double* position,
                                        const double* turn) {
   return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
-    require_pointers(stage, position, turn);
-    stage->stage.place(count_of(body), {triple_at(position), {turn[0], turn[1], turn[2], turn[3]}});
+    require(stage, "the stage");
+    require(position, "the position");
+    require(turn, "the turn");
+    stage->stage.place(count_of(body, "the number of the body"),
+                       {triple_at(position), {turn[0], turn[1], turn[2], turn[3]}});
   });
 }
 
 idiophone_status idiophone_stage_listen(idiophone_stage* stage, const double* ears, int32_t ear_count) {
   return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
-    require_pointers(stage, ears);
-    stage->stage.listen(triples_at(ears, count_of(ear_count)));
+    require(stage, "the stage");
+    require(ears, "the list of ears");
+    stage->stage.listen(triples_at(ears, count_of(ear_count, "the number of ears")));
   });
 }
 
 idiophone_status idiophone_stage_contact(idiophone_stage* stage, const idiophone_contact* contact) {
   return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
-    require_pointers(stage, contact);
+    require(stage, "the stage");
+    require(contact, "the contact");
     stage->stage.contact(event_of(*contact));
   });
 }
 
 idiophone_status idiophone_stage_step(idiophone_stage* stage, double duration) {
   return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
-    require_pointers(stage);
+    require(stage, "the stage");
     stage->stage.step(duration);
   });
 }
 
 idiophone_status idiophone_stage_report(idiophone_stage* stage, idiophone_report* report) {
   return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
-    require_pointers(stage, report);
+    require(stage, "the stage");
+    require(report, "the report");
     const StageReport found = stage->stage.report();
     *report = {.sounding = found.sounding,
                .modes = found.modes,
@@ -202,15 +237,14 @@ idiophone_status idiophone_stage_report(idiophone_stage* stage, idiophone_report
 }
 
 idiophone_status idiophone_stage_render(idiophone_stage* stage, float* sound, uint64_t frames, double full_scale) {
-  return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
-    require_pointers(stage, sound);
-    if (!(full_scale > 0.0)) {
-      throw std::invalid_argument("the full scale has to be above 0 Pa");
-    }
-    stage->stage.render(std::span(sound, frames * stage->stage.channels()), full_scale);
-  });
+  if (stage == nullptr || sound == nullptr || !(full_scale > 0.0)) {
+    return IDIOPHONE_BAD_ARGUMENT;  // a message would take memory
+  }
+  stage->stage.render(std::span(sound, frames * stage->stage.channels()), full_scale);
+  return IDIOPHONE_OK;
 }
 
+#pragma GCC visibility pop
 }  // extern "C"
 
 }  // namespace idiophone::engines

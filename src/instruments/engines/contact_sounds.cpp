@@ -5,6 +5,7 @@
 
 #include "idiophone/instruments/resonators/force.hpp"
 #include "surface_pair.hpp"
+#include "vectors.hpp"
 
 namespace idiophone::engines {
 
@@ -13,10 +14,6 @@ namespace {
 constexpr double slowest_impact = 1e-4;  // m/s
 constexpr double slowest_stroke = 1e-3;  // m/s
 constexpr double forgotten_after = 0.5;  // s
-
-Vector3 vector_of(const Triple& triple) {
-  return {triple[0], triple[1], triple[2]};
-}
 
 double speed_of(const ContactEvent& event) {
   return std::max(vector_of(event.slip).norm(), event.roll);

@@ -6,12 +6,15 @@
 #include <array>
 #include <atomic>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
+#include <utility>
 
 #include "contact_sounds.hpp"
 #include "idiophone/instruments/voices/sound_map_voices.hpp"
 #include "moving_body.hpp"
 #include "surface_pair.hpp"
+#include "vectors.hpp"
 
 namespace idiophone::engines {
 
@@ -21,6 +24,8 @@ constexpr std::size_t most_channels = 4;
 constexpr double most_ahead = 0.1;      // s, by which contacts may be ahead of the sound, beside the latency
 constexpr double longest_pause = 0.25;  // s, of the audio thread, after which contacts are left out
 constexpr double largest = 1e6;         // of any number of an event
+constexpr double least_mass = 1e-9;     // kg
+constexpr double shortest_step = 1e-5;  // s
 
 void require(bool good, const std::string& problem) {
   if (!good) {
@@ -36,9 +41,21 @@ std::vector<Vector3> vectors_of(std::span<const Triple> triples) {
   std::vector<Vector3> vectors;
   for (const Triple& triple : triples) {
     require(is_finite(triple), "an ear is not at a place: its coordinates have to be from -1e6 to 1e6 m");
-    vectors.emplace_back(triple[0], triple[1], triple[2]);
+    vectors.push_back(vector_of(triple));
   }
   return vectors;
+}
+
+/// Ears before the first step, when all bodies are where their maps are: no farther away than can be played.
+std::vector<Vector3> first_ears(std::vector<Vector3> ears, const std::vector<SharedMap>& bodies) {
+  double farthest = largest;
+  for (const SharedMap& map : bodies) {
+    farthest = std::min(farthest, 0.9 * (voices::longest_way * map->air_speed - map->centre.norm()));
+  }
+  for (Vector3& ear : ears) {
+    ear *= std::min(1.0, farthest / std::max(farthest, ear.norm()));
+  }
+  return ears;
 }
 
 voices::Audience audience_at(const std::vector<Vector3>& ears) {
@@ -84,14 +101,15 @@ class EngineStage::Parts {
  public:
   Parts(StageOptions stage_options, const std::vector<SharedMap>& maps, std::vector<Surface> surfaces)
       : options(checked(std::move(stage_options))),
+        channels(options.ears.size()),
         ears(vectors_of(options.ears)),
         surface_count(surfaces.size()),
         sounds(checked(std::move(surfaces)), masses_of(checked(maps)), options.rate, options.most_strokes,
                options.seed),
-        voices(maps, audience_at(ears), options.rate,
+        voices(maps, audience_at(first_ears(ears, maps)), options.rate,
                {.budget = options.budget, .priority = proxies::Priority::audibility}) {
     for (const SharedMap& map : maps) {
-      bodies.emplace_back(*map, ears, options.rate);
+      bodies.emplace_back(*map, first_ears(ears, maps), options.rate);
     }
   }
 
@@ -101,6 +119,7 @@ class EngineStage::Parts {
     require(first >= ContactEvent::nobody && first < count && second >= ContactEvent::nobody && second < count &&
                 std::max(first, second) >= 0,
             fmt::format("a contact is between bodies {} and {}; the stage has {}", first, second, count));
+    require(first != second, fmt::format("a contact is between body {} and itself", first));
     for (const std::int32_t surface : event.surfaces) {
       require(surface >= 0 && static_cast<std::size_t>(surface) < surface_count,
               fmt::format("a contact has surface {}; the stage has {}", surface, surface_count));
@@ -110,6 +129,9 @@ class EngineStage::Parts {
             "a contact has a number that is not finite or above 1e6");
     require(event.impulse >= 0.0 && event.roll >= 0.0 && event.moment <= 1.0,
             "a contact has an impulse or a speed below 0, or a moment above 1");
+    require(event.mass <= 0.0 || event.mass >= least_mass, "a contact moves a mass below 1e-9 kg");
+    require(event.impulse == 0.0 || std::abs(vector_of(event.normal).norm() - 1.0) < 1e-3,
+            "the normal of a contact is no unit vector");
   }
 
   /// Where contacts are now. @return whether anybody hears them
@@ -138,17 +160,32 @@ class EngineStage::Parts {
       }
     }
     for (std::size_t body = 0; body < bodies.size(); ++body) {
-      if (const auto place = bodies[body].follow(ears, start, length, !excitations[body].forces.empty())) {
+      const bool is_excited = !excitations[body].forces.empty();
+      if (const auto place = bodies[body].follow(ears, start, length, is_excited)) {
         voices.hear_at(body, *place);
       }
       for (const resonators::PointForce& force : excitations[body].forces) {
         bodies[body].sound_until(force.start + static_cast<std::int64_t>(force.force.size()));
       }
-      voices.excite(body, excitations[body], 0);
+      if (is_excited) {
+        voices.excite(body, excitations[body], 0);
+      }
+    }
+  }
+
+  /// What was chosen to be heard since the last call; nothing without a budget.
+  void note_choices() {
+    for (const voices::MapChoice& choice : voices.take_choices()) {
+      last_report.sounding = choice.sounding;
+      last_report.modes = choice.modes;
+      last_report.heard = choice.heard;
+      last_report.cost = choice.cost;
+      last_report.loss = choice.left_out;
     }
   }
 
   StageOptions options;
+  const std::size_t channels;
   std::vector<Vector3> ears;  // in the world
   std::size_t surface_count;
   ContactSounds sounds;
@@ -172,7 +209,7 @@ EngineStage::EngineStage(StageOptions options, const std::vector<SharedMap>& bod
 EngineStage::~EngineStage() = default;
 
 std::size_t EngineStage::channels() const {
-  return parts_->ears.size();
+  return parts_->channels;
 }
 
 void EngineStage::place(std::size_t body, const Pose& pose) {
@@ -195,26 +232,23 @@ void EngineStage::contact(const ContactEvent& event) {
 }
 
 void EngineStage::step(double duration) {
-  require(duration > 0.0 && duration <= 1.0, "a step takes more than 0 s and at most 1 s");
+  require(duration >= shortest_step && duration <= 1.0, "a step takes 1e-5 to 1 s");
   Parts& parts = *parts_;
-  if (!parts.keep_time(duration)) {
+  const bool is_heard = parts.keep_time(duration);
+  if (!is_heard) {
     parts.left_out += std::exchange(parts.events, {}).size();
   }
   const std::vector<ContactForce> forces = parts.sounds.step(parts.events, parts.start, duration);
   parts.events.clear();
-  parts.send(forces, std::llround(duration * parts.options.rate));
-  parts.voices.attend();
+  if (is_heard) {
+    parts.send(forces, std::llround(duration * parts.options.rate));
+  }
+  parts.note_choices();
 }
 
 StageReport EngineStage::report() {
   StageReport& report = parts_->last_report;
-  for (const voices::MapChoice& choice : parts_->voices.take_choices()) {
-    report.sounding = choice.sounding;
-    report.modes = choice.modes;
-    report.heard = choice.heard;
-    report.cost = choice.cost;
-    report.loss = choice.left_out;
-  }
+  parts_->note_choices();
   report.strokes = parts_->sounds.strokes();
   report.impacts = parts_->sounds.impacts();
   report.left_out = parts_->sounds.left_out() + parts_->left_out;
@@ -222,12 +256,14 @@ StageReport EngineStage::report() {
 }
 
 void EngineStage::render(std::span<double> sound) {
+  require(sound.size() % channels() == 0, "a block of sound has to have whole frames of all channels");
   std::ranges::fill(sound, 0.0);
   parts_->voices.render(sound, 0);
   parts_->rendered.fetch_add(static_cast<std::int64_t>(sound.size() / channels()), std::memory_order_release);
 }
 
 void EngineStage::render(std::span<float> sound, double full_scale) {
+  require(full_scale > 0.0, "the full scale has to be above 0 Pa");
   const std::size_t longest = parts_->piece.size() / channels() * channels();
   while (!sound.empty()) {
     const std::span<double> piece = std::span(parts_->piece).first(std::min(longest, sound.size()));

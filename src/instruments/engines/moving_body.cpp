@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "idiophone/instruments/voices/voice.hpp"
+#include "vectors.hpp"
 
 namespace idiophone::engines {
 
@@ -25,8 +26,7 @@ MovingBody::MovingBody(const sound_maps::SoundMap& map, std::span<const Vector3>
 
 void MovingBody::place(const Pose& pose) {
   const auto& [x, y, z, w] = pose.turn;
-  const Vector3 position(pose.position[0], pose.position[1], pose.position[2]);
-  to_body_ = (Eigen::Translation3d(position) * Eigen::Quaterniond(w, x, y, z).normalized()).inverse();
+  to_body_ = (Eigen::Translation3d(vector_of(pose.position)) * Eigen::Quaterniond(w, x, y, z).normalized()).inverse();
 }
 
 resonators::PointForce MovingBody::in_body(const resonators::PointForce& force) const {

@@ -1,9 +1,10 @@
 // Sound maps of a stage.
 
-#include <algorithm>
+#include <Eigen/Geometry>
 
 #include "idiophone/instruments/engines/engine_stage.hpp"
 #include "idiophone/instruments/sound_maps/voice_file.hpp"
+#include "vectors.hpp"
 
 namespace idiophone::engines {
 
@@ -16,14 +17,15 @@ SharedMap read_map(std::span<const char> bytes, const std::string& name) {
 }
 
 MapFacts facts_of(const SharedMap& map) {
-  Vector3 low = map->vertices.front(), high = low;
+  Eigen::AlignedBox3d box;
   for (const Vector3& vertex : map->vertices) {
-    low = low.cwiseMin(vertex);
-    high = high.cwiseMax(vertex);
+    box.extend(vertex);
   }
-  const auto triple = [](const Vector3& v) { return Triple{v[0], v[1], v[2]}; };
-  MapFacts facts{
-      .body = map->body, .mass = map->mass, .centre = triple(map->centre), .low = triple(low), .high = triple(high)};
+  MapFacts facts{.body = map->body,
+                 .mass = map->mass,
+                 .centre = triple_of(map->centre),
+                 .low = triple_of(box.min()),
+                 .high = triple_of(box.max())};
   if (map->material) {
     facts.young = map->material->young;
     facts.poisson = map->material->poisson;

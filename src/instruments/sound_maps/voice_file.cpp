@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <iterator>
 
@@ -137,10 +139,13 @@ SoundMap read_voice(std::span<const char> bytes, const std::string& name) {
 }
 
 SoundMap read_voice(const std::filesystem::path& path) {
+  if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path)) {
+    throw std::runtime_error(fmt::format("can't read {}: it is no file", path.string()));
+  }
   std::ifstream file(path, std::ios::binary);
   const std::string bytes{std::istreambuf_iterator<char>(file), {}};
   if (!file) {
-    throw std::runtime_error("can't read " + path.string());
+    throw std::runtime_error(fmt::format("can't read {}: {}", path.string(), std::strerror(errno)));
   }
   return read_voice(bytes, path.string());
 }

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <optional>
@@ -98,10 +99,15 @@ struct Wrap {
 /// @param gap   0: the narrowest that gives the surface an inside
 Wrap wrap_of(const Surface& damaged, double size, double gap) {
   const double length = longest_side(damaged);
+  if (!(length > 0.0)) {
+    throw Refusal("all of its triangles are at one place");
+  }
   const double narrowest = gap > 0.0 ? gap : std::max(size / 2.0, length / 60.0);
   const double widest = gap > 0.0 ? gap : std::max(narrowest, length / 5.0);
   const double edge = size / 2.0;  // collapsing to this length leaves few edges longer than `size`
+  double last = 0.0;
   for (double tried = narrowest; tried <= widest; tried *= 2.0) {
+    last = tried;
     if (Surface surface = wrapped(damaged, {.gap = tried, .edge = edge}); !surface.triangles.empty()) {
       return {.surface = std::move(surface), .gap = tried};
     }
@@ -109,7 +115,7 @@ Wrap wrap_of(const Surface& damaged, double size, double gap) {
   throw Refusal(fmt::format(
       "its surface has no inside, although openings up to {:.3g} times its length are closed. Close wider ones by the "
       "key `gap` of `meshing`. A sheet needs a `thickness` instead",
-      widest / length));
+      last / length));
 }
 
 std::string note_on(const Surface& damaged, const Wrap& wrap, double scale) {

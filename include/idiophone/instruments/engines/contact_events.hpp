@@ -30,6 +30,7 @@ struct Surface {
 
 /// What a contact did in a step of the physics.
 struct ContactEvent {
+  /// The impulse of an `end` is left out. `begin` and `persist` mean the same: impulses tell them apart.
   enum class Phase : std::int32_t { begin, persist, end };
   static constexpr std::int32_t nobody = -1;  ///< a side that makes no sound, such as the ground
   static constexpr double unknown = -1.0;
@@ -43,7 +44,7 @@ struct ContactEvent {
   double impulse = 0.0;                              ///< along the normal in this step, N s; not negative
   Triple slip{};            ///< velocity of the first body over the second along the surface, m/s
   double roll = 0.0;        ///< speed at which the point of contact goes along the surfaces, m/s
-  double mass = unknown;    ///< that the impulse moves, kg; unknown: from the masses of the bodies
+  double mass = unknown;    ///< that the impulse moves, at least 1e-9 kg; unknown: from the masses of the bodies
   double moment = unknown;  ///< of an impact in the step, 0 to 1; unknown: any
 };
 

@@ -50,7 +50,7 @@ struct StageOptions {
 
 /// What happened lately.
 struct StageReport {
-  std::size_t sounding = 0;    ///< bodies; this and the next three only with a budget
+  std::size_t sounding = 0;    ///< bodies; this and the next four only with a budget
   std::size_t modes = 0;       ///< of these bodies
   std::size_t heard = 0;       ///< of these modes
   double cost = 0.0;           ///< of what is heard, processor time per time of sound, as it is estimated
@@ -82,19 +82,21 @@ class EngineStage {
   void listen(std::span<const Triple> ears);
 
   /// What happened in the step that follows.
-  /// @throws std::runtime_error for a body or a surface that there is not, and numbers that are not finite
+  /// @throws std::runtime_error for a body or a surface that there is not, a body that touches itself, a normal that is
+  ///   no unit vector, and numbers out of their range
   void contact(const ContactEvent& event);
 
   /// The contacts since the last call happened in a step of the physics.
-  /// @param duration  s, above 0 and at most 1
+  /// @param duration  1e-5 to 1 s
   void step(double duration);
 
   /// So far.
   [[nodiscard]] StageReport report();
 
   /// The audio thread's part: the next samples, Pa, [frames x channels]. Takes no lock and no memory.
+  /// @throws std::runtime_error when `sound` is not whole frames
   void render(std::span<double> sound);
-  /// The same in single precision. @param full_scale  pressure that becomes 1, Pa
+  /// The same in single precision. @param full_scale  pressure that becomes 1, above 0 Pa
   void render(std::span<float> sound, double full_scale);
 
  private:
