@@ -149,7 +149,8 @@ TEST(LedStroke, EachPieceRisesFromZeroAndFallsToZero) {
     const double largest = std::ranges::max(piece.force, {}, &resonators::ForcePiece::mean).mean;
     EXPECT_LT(piece.force.front().mean, 0.01 * largest);
     EXPECT_LT(piece.force.back().mean, 0.01 * largest);
-    EXPECT_GT(piece.force[LedStroke::block].mean, 0.01 * largest) << "the halves meet at zero";
+    const auto middle = std::span(piece.force).subspan(LedStroke::block - 64, 128);
+    EXPECT_GT(std::ranges::max(middle, {}, &resonators::ForcePiece::mean).mean, 0.01 * largest);
   }
 }
 
@@ -211,7 +212,7 @@ TEST(EngineStage, RefusesWhatIsNotThere) {
   EXPECT_EQ(refusal([](ContactEvent& event) { event.surfaces = {0, 1}; }), "a contact has surface 1; the stage has 1");
   EXPECT_EQ(refusal([](ContactEvent& event) { event.impulse = std::nan(""); }),
             "a contact has a number that is not finite or above 1e6");
-  EXPECT_EQ(support::error_of([&] { stage.step(0.0); }), "a step takes more than 0 s and at most 1 s");
+  EXPECT_EQ(support::error_of([&] { stage.step(0.0); }), "a step takes 1e-5 to 1 s");
   EXPECT_EQ(support::error_of([] { EngineStage({}, {}, {steel}); }), "a stage needs a body");
 }
 

@@ -33,6 +33,13 @@ void require(bool good, const std::string& problem) {
   }
 }
 
+/// The same for the audio thread: a text takes memory only if it is needed.
+void require(bool good, const char* problem) {
+  if (!good) {
+    throw std::runtime_error(problem);
+  }
+}
+
 bool is_finite(std::span<const double> numbers) {
   return std::ranges::all_of(numbers, [](double number) { return std::abs(number) <= largest; });
 }
