@@ -33,7 +33,7 @@ struct Obstacle {
   std::filesystem::path mesh;            ///< surface: as Body::mesh
   std::optional<std::string> object;     ///< surface: as Body::object
   std::map<std::string, double> parameters;  ///< surface: as Body::parameters
-  MeshingSettings meshing;                     ///< surface
+  MeshingSettings meshing;                   ///< surface
   deck::Location where;
   deck::Location mesh_where;
   deck::Location object_where;

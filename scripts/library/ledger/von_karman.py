@@ -26,27 +26,27 @@ class Plate:
         return stiffness * np.array([[1, self.poisson, 0], [self.poisson, 1, 0], [0, 0, (1 - self.poisson) / 2]])
 
     def waves(self, limit):
-        """Wave numbers along x and y of the modes cos(k x) cos(l y) up to a frequency in Hz, ascending, rad/m, and their
+        """Wave numbers along x and y of the modes cos(kx x) cos(ky y) up to a frequency in Hz, ascending, rad/m, and their
         angular frequencies, rad/s."""
         bending = self.young * self.thickness**3 / (12 * (1 - self.poisson**2))
         odd = np.arange(1, 100, 2)
-        k, l = (pairs.ravel() for pairs in np.meshgrid(odd * np.pi / self.length, odd * np.pi / self.width))
-        omega = np.sqrt(bending / (self.density * self.thickness)) * (k**2 + l**2)
+        kx, ky = (pairs.ravel() for pairs in np.meshgrid(odd * np.pi / self.length, odd * np.pi / self.width))
+        omega = np.sqrt(bending / (self.density * self.thickness)) * (kx**2 + ky**2)
         order = [n for n in np.argsort(omega) if omega[n] <= 2 * np.pi * limit]
-        return k[order], l[order], omega[order]
+        return kx[order], ky[order], omega[order]
 
 
 class Stretching:
     """Energy of stretching 1/2 p . energy p, J, of the products p = q_a q_b of modal deflections in m."""
 
-    def __init__(self, plate, k, l, terms=12, points=80):
-        self.pairs = np.array(list(itertools.combinations_with_replacement(range(len(k)), 2)))
+    def __init__(self, plate, kx, ky, terms=12, points=80):
+        self.pairs = np.array(list(itertools.combinations_with_replacement(range(len(kx)), 2)))
         nodes, weights = np.polynomial.legendre.leggauss(points)
         x, y = (side / 4 * (nodes + 1) for side in (plate.length, plate.width))  # of a quarter
         self.weights = np.outer(weights, weights).ravel() * plate.length * plate.width / 4  # of the whole plate
         x, y = (grid.ravel() for grid in np.meshgrid(x, y, indexing="ij"))
-        along, across = -np.sin(np.outer(k, x)) * k[:, None] * np.cos(np.outer(l, y)), \
-            -np.cos(np.outer(k, x)) * np.sin(np.outer(l, y)) * l[:, None]
+        along, across = -np.sin(np.outer(kx, x)) * kx[:, None] * np.cos(np.outer(ky, y)), \
+            -np.cos(np.outer(kx, x)) * np.sin(np.outer(ky, y)) * ky[:, None]
         strains = np.array([self.strain(along[[a, b]], across[[a, b]]) for a, b in self.pairs])
         relaxed = self.relaxed(plate, strains, self.displacements(plate, x, y, terms))
         self.energy = self.product(plate, relaxed, relaxed)
@@ -95,10 +95,10 @@ def struck(plate, blow, limit, time):
     """Modal deflections, m, [modes x times], after a blow on a disc in the middle whose force is half a sine.
     @param blow   `force`, N, `radius` of the disc, m, and `duration`, s
     @param limit  of the modes, Hz"""
-    k, l, omega = plate.waves(limit)
-    stretching = Stretching(plate, k, l)
+    kx, ky, omega = plate.waves(limit)
+    stretching = Stretching(plate, kx, ky)
     mass = plate.density * plate.thickness * plate.length * plate.width / 4  # of each mode: the mean of cos^2 cos^2
-    argument = np.hypot(k, l) * blow["radius"]
+    argument = np.hypot(kx, ky) * blow["radius"]
     share = 2 * j1(argument) / argument  # mean of the mode on the disc
 
     def rates(now, state):
@@ -106,5 +106,5 @@ def struck(plate, blow, limit, time):
         strength = blow["force"] * np.sin(np.pi * now / blow["duration"]) if now < blow["duration"] else 0
         return np.concatenate([v, (strength * share - stretching.forces(q)) / mass - omega**2 * q - plate.loss * v])
 
-    solution = solve_ivp(rates, (0, time[-1]), np.zeros(2 * len(k)), t_eval=time, method="DOP853", rtol=1e-8, atol=1e-12)
-    return solution.y[:len(k)]
+    solution = solve_ivp(rates, (0, time[-1]), np.zeros(2 * len(kx)), t_eval=time, method="DOP853", rtol=1e-8, atol=1e-12)
+    return solution.y[:len(kx)]

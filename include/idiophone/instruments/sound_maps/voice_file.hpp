@@ -14,7 +14,8 @@ namespace idiophone::sound_maps {
 /// @throws std::runtime_error when sizes of the map contradict each other
 [[nodiscard]] std::string voice_file(const SoundMap& map);
 
-/// Of the bytes that follow it in a voice file: FNV-1a (G. Fowler, L. C. Noll, K.-P. Vo). It finds damage, not ill will.
+/// Of the bytes that follow it in a voice file: FNV-1a (G. Fowler, L. C. Noll, K.-P. Vo). It finds damage, not ill
+/// will.
 [[nodiscard]] std::uint64_t voice_checksum(std::span<const char> bytes);
 
 /// @param bytes  of the whole file
