@@ -7,6 +7,7 @@
    Each function that can fail returns an idiophone_status. idiophone_message() then says why. What it makes is null
    then. On machines of 64 bits, structures have no padding. Numbers are in SI units. */
 
+/* NOLINTBEGIN(modernize-deprecated-headers,modernize-use-using): this is C, too */
 #include <stdint.h>
 
 #if defined(__GNUC__)
@@ -101,4 +102,5 @@ IDIOPHONE_API idiophone_status idiophone_stage_render(idiophone_stage* stage, fl
 #ifdef __cplusplus
 }
 #endif
+/* NOLINTEND(modernize-deprecated-headers,modernize-use-using) */
 #endif

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "idiophone/instruments/engines/contact_events.hpp"
+#include "idiophone/instruments/resonators/point_forces.hpp"
 #include "idiophone/instruments/sound_maps/sound_map.hpp"
 #include "idiophone/instruments/voices/audience.hpp"
 

@@ -105,17 +105,17 @@ Wrap wrap_of(const Surface& damaged, double size, double gap) {
   const double narrowest = gap > 0.0 ? gap : std::max(size / 2.0, length / 60.0);
   const double widest = gap > 0.0 ? gap : std::max(narrowest, length / 5.0);
   const double edge = size / 2.0;  // collapsing to this length leaves few edges longer than `size`
-  double last = 0.0;
-  for (double tried = narrowest; tried <= widest; tried *= 2.0) {
-    last = tried;
+  double tried = narrowest / 2.0;
+  do {
+    tried *= 2.0;
     if (Surface surface = wrapped(damaged, {.gap = tried, .edge = edge}); !surface.triangles.empty()) {
       return {.surface = std::move(surface), .gap = tried};
     }
-  }
+  } while (2.0 * tried <= widest);
   throw Refusal(fmt::format(
       "its surface has no inside, although openings up to {:.3g} times its length are closed. Close wider ones by the "
       "key `gap` of `meshing`. A sheet needs a `thickness` instead",
-      last / length));
+      tried / length));
 }
 
 std::string note_on(const Surface& damaged, const Wrap& wrap, double scale) {
