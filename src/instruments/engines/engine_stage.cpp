@@ -115,8 +115,9 @@ class EngineStage::Parts {
                options.seed),
         voices(maps, audience_at(first_ears(ears, maps)), options.rate,
                {.budget = options.budget, .priority = proxies::Priority::audibility}) {
+    const std::vector<Vector3> first = first_ears(ears, maps);
     for (const SharedMap& map : maps) {
-      bodies.emplace_back(*map, first_ears(ears, maps), options.rate);
+      bodies.emplace_back(*map, first, options.rate);
     }
   }
 
