@@ -22,6 +22,7 @@ SANITIZED_BUILD = [f"-DCMAKE_CXX_FLAGS=-fsanitize={SANITIZERS}"] if SANITIZED el
 # Marks a check, or a class of them, that only ctest --preset verification runs: it takes minutes, or a shorter one beside
 # it sees most of what it sees. Its script is then a second test, app.NAME_long, with all of its checks.
 LONG = "IDIOPHONE_LONG" in os.environ
+OTHER_RANKS = (2, 3) if LONG else (3,)  # whose results are compared with those of one rank
 long_verification = unittest.skipUnless(LONG, "part of the long verification")
 
 TIMEOUT = 7200 if LONG else 2400 if SANITIZED else 240  # s: nothing may hang; a test takes a few seconds on an idle machine
@@ -66,8 +67,8 @@ def run(name, output, *arguments, ranks=1, environment=()):
 
 
 def preload(library, **environment):
-    """Environment that puts one of the test's libraries before MPI."""
-    return {"LD_PRELOAD": os.environ[library], **environment}
+    """Environment that puts one of the test's libraries before MPI, beside those that are there."""
+    return {"LD_PRELOAD": f"{os.environ[library]}:{os.environ.get('LD_PRELOAD', '')}", **environment}
 
 
 def can_mount():

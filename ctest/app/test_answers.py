@@ -129,7 +129,7 @@ class Answers(program.TestCase):
 
     def test_a_prediction_is_what_a_run_has(self):
         deck = program.deck("rich")
-        for ranks in (2, 3):
+        for ranks in program.OTHER_RANKS:
             self.require_status(program.run("rich", self.output, "--set", "time.duration=0.001", ranks=ranks),
                                 program.FINISHED)
             job, = self.ask("info", self.output / "rich.h5")["run"]["jobs"]
@@ -151,19 +151,19 @@ class Answers(program.TestCase):
 
     def test_a_predicted_speed_up_depends_on_the_network(self):
         def speed_up(*arguments):
-            return self.ask("check", program.deck("rich"), "-n", 4, *arguments)["prediction"]["speed_up"]
+            return self.ask("check", program.deck("simple"), "-n", 4, *arguments)["prediction"]["speed_up"]
         ideal = speed_up("--latency", 0, "--bandwidth", 1e15)
         self.assertTrue(1 < ideal < 4, ideal)
         self.assertLess(speed_up("--latency", 1e-3), 0.5 * ideal)
         self.assertLess(speed_up("--bandwidth", 1e5), 0.5 * ideal)
         processors = len(os.sched_getaffinity(0))
         for ranks, latency in ((processors, 4e-7), (processors + 1, 2e-6)):
-            answer = self.ask("check", program.deck("rich"), "-n", ranks)
+            answer = self.ask("check", program.deck("simple"), "-n", ranks)
             self.assertEqual(answer["prediction"]["latency"], latency)
-        job = program.idiophone("check", program.deck("rich"), "-n", 2, ranks=2)
+        job = program.idiophone("check", program.deck("simple"), "-n", 2, ranks=2)
         self.require_status(job, program.FAILED)
         self.assertIn("start it without mpirun", job.stderr)
-        job = program.idiophone("check", program.deck("rich"), "-n", 100000)
+        job = program.idiophone("check", program.deck("simple"), "-n", 100000)
         self.require_status(job, program.FAILED)
         self.assertIn("100000 ranks are too many", job.stderr)
 

@@ -119,6 +119,7 @@ class Contact(program.TestCase):
         velocity = found["motion/block/velocity"]
         self.assertLess(abs(velocity[round(0.25 * self.rate):]).max(), 1e-9)
 
+    @program.long_verification
     def test_a_ball_rolls(self):
         found, _ = self.run_deck("rolling")
         centre = found["motion/ball/centre_of_mass"][:, 0]

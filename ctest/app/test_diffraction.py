@@ -71,6 +71,7 @@ class Diffraction(test_screens.Heard):
         places = [0.7, 0.1, -0.3], [0.8, 0.05, -0.2], [0.6, 0.05, -0.1]
         self.check_levels(solid(wall(0, 0.1), wall(0.4, 0.5)), places, 2.5)
 
+    @program.long_verification
     def test_behind_three_edges_levels_are_those_of_waves(self):
         house = [(0, -0.6), (0.4, -0.6), (0.4, 0), (0.2, 0.12), (0, 0)]
         places = [0.7, 0.1, -0.45], [0.8, 0.05, -0.5], [0.55, 0.05, -0.3], [0.7, 0, -0.4]

@@ -135,6 +135,7 @@ class Tune(program.TestCase):
         found = self.partials(TUNING / "octave.yaml", "time.duration=0.25", *together)
         self.require_partials(found, [NOTES[note] for note in scale], cents=3)
 
+    @program.long_verification
     def test_a_number_that_sits_on_a_bound_is_named(self):
         length = "bodies.fork.parameters.length"
         arguments = ["--target", "A6", "--vary", f"{length}=0.085:0.095", "--mode-numbers", "2"]
@@ -143,8 +144,7 @@ class Tune(program.TestCase):
         self.assertIn("not all modes are within 2 cents", job.stdout + job.stderr)
         self.assertIn("0.085  on its lower bound", job.stdout)
         self.assertIn(f"On a bound: {length} (lower bound)", job.stdout + job.stderr)
-        if program.LONG:
-            self.assertEqual(json.loads(self.tune(*arguments, "--json").stdout)["bounds"], {length: "lower"})
+        self.assertEqual(json.loads(self.tune(*arguments, "--json").stdout)["bounds"], {length: "lower"})
 
     def test_stopped_by_a_signal_it_saves_the_best_values(self):
         tuned = self.output / "tuned.yaml"

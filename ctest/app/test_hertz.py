@@ -59,7 +59,7 @@ class Short(Hertz):
             self.assertLess(abs(error), 0.05)
 
     def test_a_ball_of_hexahedra_on_a_floor(self):
-        for error in self.errors(FLOOR, 0.4e-3, *HEXAHEDRA, "parameters.size=0.005"):
+        for error in self.errors(FLOOR, 0.6e-3, *HEXAHEDRA, "parameters.size=0.006"):
             self.assertLess(abs(error), 0.015)
 
     @program.long_verification

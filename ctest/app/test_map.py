@@ -81,7 +81,7 @@ class Map(program.TestCase):
         self.assertEqual(alone["sphere/pressure"].shape, (len(modes), 512, 2))
         numpy.testing.assert_allclose(alone["modes/material_decay"],
                                       0.5 * (20 + 1e-7 * (2 * numpy.pi * modes) ** 2), rtol=1e-9)
-        for ranks in (2, 3) if program.LONG else (3,):
+        for ranks in program.OTHER_RANKS:
             self.require_status(self.map(ranks, "--up-to", "700"), program.FINISHED)
             self.require_same(self.path(), alone)
 

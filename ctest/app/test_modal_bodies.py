@@ -48,7 +48,7 @@ class ModalBodies(program.TestCase):
         models = settings(block=FEW)
         expected = self.result("touching", "one", *models)
         self.assertGreater(abs(expected["contacts/hit/force"]).max(), 0)
-        for ranks in (2, 3):
+        for ranks in program.OTHER_RANKS:
             with self.subTest(ranks=ranks):
                 self.result("touching", str(ranks), *models, ranks=ranks)
                 self.require_same(self.output / str(ranks) / "touching.h5", expected)

@@ -91,6 +91,7 @@ class Modes(program.TestCase):
         lumped = program.idiophone("modes", *bar, "--mass", "lumped")
         self.assertIn("--mass", lumped.stderr)
 
+    @program.long_verification
     def test_air_lowers_a_light_ball_on_springs(self):
         deck = self.output / "ball.yaml"
         density, radius, frequency = 20.0, 0.05, 400.0

@@ -49,6 +49,7 @@ class SameBits(program.TestCase):
     def test_simple_deck_on_three_ranks(self):
         self.check_ranks("simple")
 
+    @program.long_verification
     def test_rich_deck_on_three_ranks(self):
         self.check_ranks("rich")
 
@@ -62,6 +63,7 @@ class SameBits(program.TestCase):
     def test_hexahedra_on_three_ranks(self):
         self.check_ranks("hexahedra")
 
+    @program.long_verification
     def test_hexahedra_interrupted_and_resumed_on_other_numbers_of_ranks(self):
         self.check_interruptions("hexahedra")
 
@@ -74,6 +76,7 @@ class SameBits(program.TestCase):
     def test_taut_strings_interrupted_and_resumed_on_other_numbers_of_ranks(self):
         self.check_interruptions("taut")
 
+    @program.long_verification
     def test_joined_bodies_interrupted_and_resumed_on_other_numbers_of_ranks(self):
         self.check_interruptions("joined")
 
@@ -100,7 +103,7 @@ class SameBits(program.TestCase):
     def test_ghosts_by_messages(self):
         """They travel while forces are computed: the surface is read in every eighth step only."""
         steps = "--set", "time.steps_per_sample=48", "--set", "time.duration=0.0005"
-        for name in ("simple", "touching"):
+        for name in ("simple", "touching") if program.LONG else ("touching",):
             with self.subTest(deck=name):
                 self.require_status(program.run(name, self.output / "1", *steps), program.FINISHED)
                 job = program.run(name, self.output / "2", *steps, ranks=2,

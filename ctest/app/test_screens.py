@@ -96,7 +96,7 @@ class Screens(Heard):
         self.assertLess(numpy.abs(errors).max(), 1.0)
 
     def test_behind_a_screen_levels_are_those_of_the_exact_solution(self):
-        for source_at in (1.0, 30.0), (2.0, 60.0), (0.5, 100.0):
+        for source_at in ((1.0, 30.0), (2.0, 60.0), (0.5, 100.0)) if program.LONG else ((2.0, 60.0),):
             with self.subTest(source=source_at):
                 source = place(*source_at)
                 shadow = 180 + source_at[1]  # begins here
@@ -126,7 +126,7 @@ class Screens(Heard):
         places = self.microphones([place(1.0, 205), place(1.0, 250, 0.5)])
         alone = self.listen(places, "radiation.air.absorption=true")
         self.assertGreater(abs(alone["m1"]).max(), 0)
-        for ranks in 2, 3:
+        for ranks in program.OTHER_RANKS:
             found = self.listen(places, "radiation.air.absorption=true", ranks=ranks)
             for name, sound in alone.items():
                 self.assertEqual(found[name].tobytes(), sound.tobytes())

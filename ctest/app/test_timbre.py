@@ -197,12 +197,12 @@ class Motion(TimbreCase):
         self.assertGreater(level(sound[:RATE].astype(float)), 10)
 
     def test_the_coin_sounds_by_its_angular_velocity(self):
-        result = self.motion("coin", "--set", "time.duration=1")
+        result = self.motion("coin", "--set", "time.duration=0.5")
         with h5py.File(result) as file:
             spin = numpy.linalg.norm(file["motion/coin/angular_velocity"][:], axis=1)
             rate = file["motion/coin/angular_velocity"].attrs["rate"]
-        sound = self.timbre(INPUTS / "coin.yaml", result, "--set", "duration=1")[:, 0]
-        times = numpy.arange(0.1, 0.95, 0.05)
+        sound = self.timbre(INPUTS / "coin.yaml", result, "--set", "duration=0.5")[:, 0]
+        times = numpy.arange(0.1, 0.45, 0.05)
         loudness = numpy.array([level(seconds(sound, t - 0.03, t + 0.03)) for t in times])
         spins = numpy.interp(times, numpy.arange(len(spin)) / rate, spin)
         self.assertGreater(numpy.corrcoef(loudness, spins)[0, 1], 0.5)
@@ -224,17 +224,17 @@ class Motion(TimbreCase):
         self.assertEqual(numbers[-1], 74)                                                # pure rolling is its highest note
 
     def test_sounds_move_with_their_bodies(self):
-        result = self.motion("coin", "--set", "time.duration=1")
+        result = self.motion("coin", "--set", "time.duration=0.5")
         (self.output / "tree.tt").write_text("(sine 1000)")
         sound = self.timbre(self.scene(
-            "name: s\nduration: 1\nclasses: {a: tree.tt}\nsounds: {a: {class: a, body: coin}}\n"
+            "name: s\nduration: 0.5\nclasses: {a: tree.tt}\nsounds: {a: {class: a, body: coin}}\n"
             "listeners: {ear: {type: mono, position: [0.2, 0, 0.05]}}\n"), result)
         with h5py.File(result) as file:
             places = file["motion/coin/centre_of_mass"][:]
             rate = file["motion/coin/centre_of_mass"].attrs["rate"]
         distances = numpy.linalg.norm(places - [0.2, 0, 0.05], axis=1)
         self.assertGreater(distances.max(), 1.2 * distances.min())
-        for time in numpy.arange(0.1, 0.95, 0.05):
+        for time in numpy.arange(0.1, 0.45, 0.05):
             distance = numpy.interp(time, numpy.arange(len(distances)) / rate, distances)
             self.assertAlmostEqual(level(seconds(sound, time - 0.01, time + 0.01)) * distance, 0.5 ** 0.5, delta=0.02)
 

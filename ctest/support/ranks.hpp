@@ -30,7 +30,7 @@ inline bool declare_ranks(const char* file, int line, std::initializer_list<int>
 #define IDIOPHONE_JOINED(first, second) first##second
 #define IDIOPHONE_NAMED(first, second) IDIOPHONE_JOINED(first, second)
 
-/// ON_RANKS(1, 2, 3); stands above the tests that run on 1, 2 and 3 ranks, at the beginning of a line. It holds up to
+/// ON_RANKS(1, 3); stands above the tests that run on 1 and on 3 ranks, at the beginning of a line. It holds up to
 /// the next one in the file.
 #define ON_RANKS(...)                                                          \
   [[maybe_unused]] static const bool IDIOPHONE_NAMED(on_ranks_, __COUNTER__) = \

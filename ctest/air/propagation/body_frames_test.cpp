@@ -68,7 +68,7 @@ class BodyFramesTest : public ::testing::Test {
   propagation::AudibleSurface surface_ = two_plates();
 };
 
-ON_RANKS(1, 2, 3);
+ON_RANKS(1, 3);
 
 TEST_F(BodyFramesTest, SteadyFlightAndRotationAreExact) {
   BodyFrames frames(scene_, surface_, MPI_COMM_WORLD);

@@ -190,7 +190,7 @@ void require_the_same_bits(const scene::Scene& scene) {
   }
 }
 
-ON_RANKS(1, 2, 3);
+ON_RANKS(1, 3);
 
 TEST(CoupledAir, HasTheSameBitsOnAnyRanksAndFromAnArchive) {
   require_the_same_bits(plate_on_springs());

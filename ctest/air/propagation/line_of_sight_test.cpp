@@ -37,7 +37,7 @@ class LineOfSightTest : public ::testing::Test {
   LineOfSight::Options options_{interval, 1, radiation::SelfOcclusion::excluded};
 };
 
-ON_RANKS(1, 2, 3);
+ON_RANKS(1, 3);
 
 TEST_F(LineOfSightTest, AnotherBodyHides) {
   LineOfSight sight(surface_, options_, MPI_COMM_WORLD);

@@ -10,7 +10,7 @@
 namespace idiophone::propagation {
 namespace {
 
-ON_RANKS(1, 2);
+ON_RANKS(1, 3);
 
 /// The images of Allen and Berkley 1979, in their own numbering: (1 - 2 q) x + 2 m L, with |m - q| reflections at the
 /// low wall and |m| at the high one.

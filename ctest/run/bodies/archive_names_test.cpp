@@ -74,7 +74,7 @@ std::set<std::string> archived(Source& source) {
   return names;
 }
 
-ON_RANKS(1, 2, 3);
+ON_RANKS(1, 3);
 
 TEST(ArchiveNames, EveryStateOfComputedAndRecordedBodiesIsDocumented) {
   const scene::Scene scene = scene::read_deck(

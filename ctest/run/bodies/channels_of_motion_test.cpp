@@ -60,7 +60,7 @@ struct Moved {
   Observation now;
 };
 
-ON_RANKS(1, 2, 3);
+ON_RANKS(1, 3);
 
 TEST(BodyChannels, FollowAParabola) {
   const Moved moved("free.yaml",

@@ -57,7 +57,7 @@ CombinedSource combination() {
   return CombinedSource(std::move(sources));
 }
 
-ON_RANKS(1, 2, 3);
+ON_RANKS(1, 3);
 
 TEST(CombinedSource, JoinsSurfaces) {
   const CombinedSource source = combination();

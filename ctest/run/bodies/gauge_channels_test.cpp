@@ -92,7 +92,7 @@ TEST(Gauges, HaveNoCurvatureOnALineAndWherePointsMeet) {
   EXPECT_EQ(measured(Quantity::angle, meeting, line)[0], 0.0);
 }
 
-ON_RANKS(1, 2, 3);
+ON_RANKS(1, 3);
 
 TEST(GaugeChannels, AreExactInPureBending) {
   const auto rows = gauges_of_bent_bar(MPI_COMM_WORLD);

@@ -39,7 +39,7 @@ void expect_mistake(const std::string& deck, const std::vector<std::string>& ove
   }
 }
 
-ON_RANKS(1, 2, 3);
+ON_RANKS(1, 3);
 
 TEST(Preparation, KnowsTheWholeOnEveryRankAndThePartOfEach) {
   const Preparation ready = prepared("touching.yaml");

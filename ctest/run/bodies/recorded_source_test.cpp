@@ -37,7 +37,7 @@ void expect_row(const RecordedSource& source, const surface::SurfaceMotion& moti
   }
 }
 
-ON_RANKS(1, 2, 3);
+ON_RANKS(1, 3);
 
 TEST(RecordedSource, GivesEveryRowOfItsShare) {
   const support::Folder folder;

@@ -120,7 +120,7 @@ class JobTest : public ::testing::Test {
   int asked_for_facts_ = 0;
 };
 
-ON_RANKS(1, 2);
+ON_RANKS(1, 3);
 
 TEST_F(JobTest, GoesToTheEndAndWritesTheSound) {
   EXPECT_EQ(perform("whole").status, exit_finished);

@@ -56,7 +56,7 @@ class ChannelRecorderTest : public ::testing::Test {
   ChannelRecorder recorder_{channels_, result_};
 };
 
-ON_RANKS(1, 2, 3);
+ON_RANKS(1, 3);
 
 TEST_F(ChannelRecorderTest, WritesEveryChannelAsItIsInMemory) {
   recorder_.declare();

@@ -84,7 +84,7 @@ class FrameRecorderTest : public ::testing::Test {
   std::vector<std::vector<float>> expected_;  ///< [frames]
 };
 
-ON_RANKS(1, 2, 3);
+ON_RANKS(1, 3);
 
 TEST_F(FrameRecorderTest, WritesDisplacementsAtTheFrameRateUntilTheSoundEnds) {
   recorder_.declare();

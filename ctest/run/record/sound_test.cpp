@@ -71,7 +71,7 @@ class AudioPathTest : public ::testing::Test {
   propagation::AudibleSurface surface_ = two_plates();
 };
 
-ON_RANKS(1, 2, 3);
+ON_RANKS(1, 3);
 
 TEST_F(AudioPathTest, ConstantPressureIsSilent) {
   AudioPath path = make_path();

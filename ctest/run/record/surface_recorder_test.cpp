@@ -68,7 +68,7 @@ class SurfaceRecorderTest : public ::testing::Test {
   propagation::AudibleSurface surface_ = two_plates();
 };
 
-ON_RANKS(1, 2, 3);
+ON_RANKS(1, 3);
 
 TEST_F(SurfaceRecorderTest, WritesTheSurfaceAndItsMotion) {
   SurfaceRecorder recorder = make_recorder();

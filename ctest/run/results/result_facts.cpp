@@ -33,7 +33,7 @@ nlohmann::json of_rank_0(const nlohmann::json& facts) {
   return rank() == 0 ? facts : nlohmann::json();
 }
 
-ON_RANKS(1, 2, 3, 4);
+ON_RANKS(1, 3);
 
 TEST(ResultFacts, AreReadAsTheyWereWritten) {
   const Folder folder;

@@ -16,7 +16,7 @@ using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
-ON_RANKS(1, 2, 3, 4);
+ON_RANKS(1, 3);
 
 TEST(ResultFile, WhatIsAppendedInBlocksComesBackWhole) {
   const Folder folder;

@@ -10,7 +10,7 @@ using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::SizeIs;
 
-ON_RANKS(1, 2, 3, 4);
+ON_RANKS(1, 3);
 
 TEST(SoundReader, ReadsSoundsAndReferences) {
   const Folder folder;

@@ -104,7 +104,7 @@ void expect_rows(const std::filesystem::path& path, std::int64_t rows) {
   }
 }
 
-ON_RANKS(1, 2, 3, 4);
+ON_RANKS(1, 3);
 
 TEST(SurfaceMotion, BlocksFromAllRanksComeBackWhole) {
   const Folder folder;

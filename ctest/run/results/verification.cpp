@@ -100,7 +100,7 @@ class Verification : public testing::Test {
   std::optional<SurfaceMotionFile> recording_;
 };
 
-ON_RANKS(1, 2, 3, 4);
+ON_RANKS(1, 3);
 
 TEST_F(Verification, FilesThatAreWrittenInBlocksAreIntact) {
   go_on(100, 9000);

@@ -43,7 +43,7 @@ struct Blocks {
   std::vector<double> inverse_mass;
 };
 
-ON_RANKS(1, 2, 3);
+ON_RANKS(1, 3);
 
 TEST(ContactSurfaces, AreThoseOfBodiesThatTouchSomething) {
   const Blocks blocks;

@@ -110,7 +110,7 @@ scene::Contact rough() {
   return contact;
 }
 
-ON_RANKS(1, 2, 3);
+ON_RANKS(1, 3);
 
 TEST(Contacts, ForcesHaveTheSameBitsOnAnyNumberOfRanks) {
   TwoCubes shared(MPI_COMM_WORLD, rough()), alone(MPI_COMM_SELF, rough());

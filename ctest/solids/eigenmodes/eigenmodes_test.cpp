@@ -30,7 +30,7 @@ int rigid_motions(VibratingBody body) {
   return body.find({.count = 1}).rigid_motions;
 }
 
-ON_RANKS(1, 2, 3);
+ON_RANKS(1, 3);
 
 TEST(RigidMotions, AreCounted) {
   EXPECT_EQ(rigid_motions(vibrating_bar()), 6);

@@ -89,7 +89,7 @@ double first_share(double w) {
   return first / (first + energy(aluminium_and_maple[1], length - joint));
 }
 
-ON_RANKS(1, 2, 3);
+ON_RANKS(1, 3);
 
 /// How far the mesh of a bar in series may err.
 struct Tolerance {

@@ -144,7 +144,7 @@ TEST(Joints, RefuseWhatTheyCannotJoin) {
   EXPECT_THAT(refusal("x0", 0.002), testing::HasSubstr("no part of the two surfaces"));  // they turn away
 }
 
-ON_RANKS(1, 2, 3);
+ON_RANKS(1, 3);
 
 TEST(Joints, ForcesHaveTheSameBitsOnAnyNumberOfRanks) {
   JoinedBlocks shared(MPI_COMM_WORLD);

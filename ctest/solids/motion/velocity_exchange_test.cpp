@@ -47,7 +47,7 @@ class VelocityExchangeTest : public testing::Test {
   std::vector<solid::NodeState> state;
 };
 
-ON_RANKS(1, 2, 3);
+ON_RANKS(1, 3);
 
 TEST_F(VelocityExchangeTest, GhostsHaveTheVelocitiesOfTheirOwnersThroughSharedMemory) {
   SharedExchange exchange(part, MPI_COMM_WORLD);

@@ -2,11 +2,15 @@
 """Draws a result with both picture scripts and checks that pictures come out, and that mistakes are answered.
 pictures.py SCRIPTS_FOLDER"""
 
+import contextlib
+import functools
+import io
 import subprocess
 import sys
 import tempfile
 from importlib.machinery import SourceFileLoader
 from pathlib import Path
+from types import SimpleNamespace
 
 import matplotlib.image
 import numpy as np
@@ -14,10 +18,27 @@ from scipy.io import wavfile
 
 scripts = Path(sys.argv[1])
 here = Path(__file__).parent
+sys.path.insert(0, str(scripts))
+sys.dont_write_bytecode = True
+
+
+@functools.cache
+def loaded(script):
+    return SourceFileLoader(script, str(scripts / script)).load_module()
 
 
 def run(script, *arguments):
-    return subprocess.run(["/usr/bin/python3", scripts / script, *map(str, arguments)], capture_output=True, text=True)
+    """The script in this process: what it imports takes longer than all else that it does, and is here."""
+    errors, status = io.StringIO(), 0
+    sys.argv = [script, *map(str, arguments)]
+    with contextlib.redirect_stdout(io.StringIO()), contextlib.redirect_stderr(errors):
+        try:
+            loaded(script).main()
+        except SystemExit as end:
+            status = end.code if isinstance(end.code, int) else 1
+            if isinstance(end.code, str):
+                print(end.code, file=errors)
+    return SimpleNamespace(returncode=status, stderr=errors.getvalue())
 
 
 def expect_picture(script, sound, output, *arguments):
@@ -36,9 +57,7 @@ def expect_refusal(script, word, *arguments):
 
 def expect_right_place():
     """A tone and a click stand in the spectrogram where they are in the sound."""
-    sys.path.insert(0, str(scripts))
-    sys.dont_write_bytecode = True
-    script = SourceFileLoader("spectrogram", str(scripts / "spectrogram")).load_module()
+    script = loaded("spectrogram")
     rate, tone, click = 44100, 443.0, 0.75
     samples = np.sin(2 * np.pi * tone * np.arange(rate) / rate)
     samples[round(click * rate)] += 50
