@@ -41,6 +41,8 @@ class Identification:
     constants: dict[str, Constant]     #: by name, e.g. "young"
     lines: list[Line]
     not_measured: list[Facts]          #: `mode`, `modes` and `frequency` of modes between the lines that have no line
+    further_lines: list[Facts]         #: that would determine the other constants: `constant`, `mode`, `modes`, `frequency`,
+                                       #: `half_width` that would be left, and where to strike or listen: `at` (m), `along`
     fitted_rms: float | None           #: cents; None if no line was fitted
     predicted_rms: float | None        #: cents; None if no line was predicted
     density: float                     #: kg/m3

@@ -8,17 +8,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "answer.hpp"
 #include "command.hpp"
+#include "identification_answer.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
 #include "idiophone/run/loop/facts.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/find_body.hpp"
 #include "idiophone/scene/joined_bodies.hpp"
-#include "materials_section.hpp"
 #include "search_watch.hpp"
 
 namespace idiophone::app {
@@ -58,91 +57,23 @@ using fitting::AssignedLine;
 using fitting::Identification;
 using fitting::IdentifiedConstant;
 
-/// "3", or "3-4" for two modes of one frequency.
-std::string mode_text(int first, int count) {
-  return count == 1 ? fmt::format("{}", first) : fmt::format("{}-{}", first, first + count - 1);
-}
-
-void print_constants(const Identification& found) {
-  fmt::print("{:<12}  {:>12}  {:>12}  {:>12}\n", "constant", "value", "+- (95 %)", "in the deck");
-  for (const IdentifiedConstant& constant : found.constants) {
-    fmt::print("{:<12}  {:>12.6g}  {:>12.3g}  {:>12.6g}{}\n", constant.name, constant.value, constant.half_width,
-               constant.start, constant.determined ? "" : "  not determined");
+/// What to measure for a constant that the lines do not determine.
+std::string advice(const Identification& found, const std::string& constant) {
+  if (found.stopped) {
+    return "Measure more lines, or lines of other modes";
   }
-}
-
-void print_lines(const Identification& found) {
-  fmt::print("\n{:>4}  {:>13}  {:>7}  {:>13}  {:>7}\n", "line", "measured/Hz", "mode", "computed/Hz", "cents");
-  int number = 0;
-  for (const AssignedLine& line : found.lines) {
-    fmt::print("{:>4}  {:>13.3f}  ", ++number, line.line.frequency);
-    if (line.modes == 0) {
-      fmt::print("{:>7}  {:>13}  {:>7}\n", "-", "false line", "-");
-    } else {
-      fmt::print("{:>7}  {:>13.3f}  {:>+7.2f}{}\n", mode_text(line.first_mode, line.modes), line.computed, line.cents,
-                 line.is_split    ? "  split"
-                 : line.is_fitted ? ""
-                                  : "  predicted");
-    }
+  if (std::ranges::find(found.further, constant, &fitting::FurtherLine::constant) == found.further.end()) {
+    return fmt::format("No single line up to {:.0f} Hz would tell much more of it: measure several, or a body of another shape",
+                       found.looked_up_to);
   }
-  for (const auto& [first, count, frequency] : found.missing) {
-    fmt::print("{:>4}  {:>13}  {:>7}  {:>13.3f}  {:>7}\n", "-", "not measured", mode_text(first, count), frequency,
-               "-");
-  }
-  if (found.fitted_rms) {
-    fmt::print("rms of the fitted lines: {:.2f} cents\n", *found.fitted_rms);
-  }
-  if (found.tested_rms) {
-    fmt::print("rms of the predicted lines: {:.2f} cents\n", *found.tested_rms);
-  }
-}
-
-nlohmann::json identification_facts(const Identification& found) {
-  nlohmann::json answer = {{"accepted", found.doubts.empty()},
-                           {"stopped", found.stopped},
-                           {"doubts", found.doubts},
-                           {"volume", found.volume},
-                           {"density", found.material.density},
-                           {"solves", found.solves},
-                           {"constants", nlohmann::json::object()},
-                           {"lines", nlohmann::json::array()},
-                           {"not_measured", nlohmann::json::array()},
-                           {"fitted_rms", loop::number_or_null(found.fitted_rms.value_or(NAN))},
-                           {"predicted_rms", loop::number_or_null(found.tested_rms.value_or(NAN))},
-                           {"materials", materials_section(found.material)}};
-  for (const IdentifiedConstant& constant : found.constants) {
-    answer["constants"][constant.name] = {{"value", constant.value},
-                                          {"half_width", loop::number_or_null(constant.half_width)},
-                                          {"in_the_deck", constant.start},
-                                          {"determined", constant.determined}};
-  }
-  for (const AssignedLine& line : found.lines) {
-    nlohmann::json entry = {{"measured", line.line.frequency},
-                            {"mode", nullptr},
-                            {"fitted", line.is_fitted},
-                            {"split", line.is_split},
-                            {"mesh_error", line.is_fitted ? nlohmann::json(line.mesh_error) : nlohmann::json()}};
-    if (line.modes > 0) {
-      entry["mode"] = line.first_mode;
-      entry["modes"] = line.modes;
-      entry["computed"] = line.computed;
-      entry["cents"] = line.cents;
-    }
-    answer["lines"].push_back(entry);
-  }
-  for (const auto& [first, count, frequency] : found.missing) {
-    answer["not_measured"].push_back({{"mode", first}, {"modes", count}, {"frequency", frequency}});
-  }
-  return answer;
+  return "Measure the further lines that are named for it";
 }
 
 void warn_of_gaps(const Identification& found) {
   for (const IdentifiedConstant& constant : found.constants) {
     if (!constant.determined) {
-      spdlog::warn(
-          "the lines do not determine {}: its 95 % interval would be +-{:.2g}; it keeps the deck's value. Measure more "
-          "lines, or lines of other modes",
-          constant.name, constant.half_width);
+      spdlog::warn("the lines do not determine {}: its 95 % interval would be +-{:.2g}; it keeps the deck's value. {}",
+                   constant.name, constant.half_width, advice(found, constant.name));
     }
   }
 }
@@ -197,9 +128,7 @@ int identify(const IdentifyOptions& options) {
   if (options.style == Style::json) {
     print_answer(identification_facts(found));
   } else {
-    print_constants(found);
-    print_lines(found);
-    fmt::print("\n{}", materials_section(found.material));
+    print(found);
   }
   return judge_fit(found);
 }

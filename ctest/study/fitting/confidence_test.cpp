@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
 
 #include "ranks.hpp"
 
@@ -45,6 +46,30 @@ TEST(Confidence, GrowsWithResidualsAboveTheUncertainties) {
   evidence.residuals.setConstant(3.0);
   const double after = half_widths(evidence, {Eigen::Vector2d(0, 0), Eigen::Vector2d(10, 1e-9)}, of_unknowns)[0];
   EXPECT_NEAR(after / before, 3, 0.01);
+}
+
+// Ten lines of one constant whose errors are as large as their uncertainties say, many times. In one fit of 20, the
+// residuals are larger than usual, and the interval is wider.
+TEST(Confidence, IntervalsHoldTheTruthInNinetyFiveOfAHundredFits) {
+  constexpr int fits = 4000;
+  const VectorXd slopes = VectorXd::LinSpaced(10, 20, 110);
+  const Expectation vague{VectorXd::Zero(1), VectorXd::Constant(1, 10)};
+  std::mt19937 generator(1);
+  std::normal_distribution<double> normal;
+  int inside = 0;
+  for (int fit = 0; fit < fits; ++fit) {
+    const VectorXd errors = VectorXd::NullaryExpr(slopes.size(), [&] { return normal(generator); });
+    const double found = slopes.dot(errors) / slopes.squaredNorm();
+    const Evidence evidence{errors - slopes * found, slopes, VectorXd::Zero(slopes.size())};
+    inside += std::abs(found) <= half_widths(evidence, vague, MatrixXd::Ones(1, 1))[0] ? 1 : 0;
+  }
+  EXPECT_NEAR(static_cast<double>(inside) / fits, 0.95, 0.01);
+}
+
+TEST(Confidence, KnowsWhatIsChance) {
+  EXPECT_NEAR(largest_by_chance(1) / 3.8415, 1, 0.04);
+  EXPECT_NEAR(largest_by_chance(10) / 1.8307, 1, 1e-3);
+  EXPECT_NEAR(largest_by_chance(100) / 1.24342, 1, 1e-4);
 }
 
 // Of a value that the lines show alone, the interval is small although those of both constants are wide.

@@ -193,6 +193,29 @@ TEST(Identify, FiveLinesOfABarDoNotDeterminePoissonsRatio) {
   EXPECT_NEAR(found.material.young / 7.1e10, 1, 0.01);
 }
 
+// The five lowest modes of the bar bend it. Its first torsion, farther up, tells the shear modulus.
+TEST(Identify, AFurtherLineDeterminesWhatItIsNamedFor) {
+  scene::Scene slender = bar_scene({0.3, 0.022, 0.02}, 0.1, 3);
+  slender.materials = {aluminium};
+  Measurements measured = lines_of(slender, 2, 0, 4e3);
+  const Measurements all = lines_of(slender, 12, 0, 4e4);
+  slender.materials = {{"guess", 6.9e10, 0.3, 2700, {}, {}}};
+  const Identification few = identify(slender, measured, {});
+  ASSERT_FALSE(few.constants[1].determined);
+  ASSERT_EQ(few.further.size(), 1U);
+  const FurtherLine& line = few.further.front();
+  EXPECT_EQ(line.constant, "poisson");
+  EXPECT_GT(line.frequency, measured.lines.back().frequency);
+  EXPECT_NEAR(line.direction.norm(), 1, 1e-12);
+  EXPECT_NEAR(std::abs(line.direction.x()), 0, 0.1) << "torsion moves across the bar";
+  measured.lines.push_back(all.lines[line.first_mode - 1]);
+  const Identification more = identify(slender, measured, {});
+  EXPECT_TRUE(more.constants[1].determined);
+  EXPECT_NEAR(more.constants[1].half_width / line.half_width, 1, 0.5);
+  EXPECT_NEAR(more.material.poisson, 0.34, more.constants[1].half_width);
+  EXPECT_TRUE(more.further.empty());
+}
+
 TEST(Identify, OneLineAndAPair) {
   scene::Scene square = bar_scene({0.08, 0.02, 0.02}, 0.04, 4);
   square.materials = {aluminium};

@@ -2,11 +2,24 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <cmath>
 
 namespace idiophone::fitting {
 
+namespace {
+
+constexpr double gaussian = 1.959964;  // 97.5 % of a normal distribution are below
+
+}  // namespace
+
+double largest_by_chance(double freedom) {
+  constexpr double z = 1.644854;  // 95 % of a normal distribution are below
+  const double part = 2 / (9 * freedom);
+  return std::pow(1 - part + z * std::sqrt(part), 3);
+}
+
 double student_t(double freedom) {
-  constexpr double z = 1.959964;
+  constexpr double z = gaussian;
   const double z2 = z * z;
   return z * (1 + (z2 + 1) / (4 * freedom) + ((5 * z2 + 16) * z2 + 3) / (96 * freedom * freedom) +
               (((3 * z2 + 19) * z2 + 17) * z2 - 15) / (384 * freedom * freedom * freedom));
@@ -19,12 +32,14 @@ Eigen::VectorXd half_widths(const Evidence& evidence, const Expectation& expecte
   const Eigen::MatrixXd of_expectation = expected.deviation.cwiseAbs2().cwiseInverse().asDiagonal();
   const double determined = Eigen::MatrixXd(of_lines + of_expectation).ldlt().solve(of_lines).trace();
   const double freedom = std::max(1.0, static_cast<double>(slopes.rows()) - determined);
-  const double variance = std::max(1.0, evidence.residuals.squaredNorm() / freedom);
+  const double mean_square = evidence.residuals.squaredNorm() / freedom;
+  const bool is_chance = mean_square <= largest_by_chance(freedom);
+  const double variance = is_chance ? 1.0 : mean_square;
   const Eigen::LDLT<Eigen::MatrixXd> factors = Eigen::MatrixXd(of_lines / variance + of_expectation).ldlt();
   const Eigen::MatrixXd spread = factors.solve(value_slopes.transpose());  // V G^T
   const Eigen::VectorXd variances = value_slopes.cwiseProduct(spread.transpose()).rowwise().sum();
   const Eigen::VectorXd shifts = spread.transpose() * slopes.transpose() * evidence.mesh_errors / variance;
-  return student_t(freedom) * (variances + shifts.cwiseAbs2()).cwiseSqrt();
+  return (is_chance ? gaussian : student_t(freedom)) * (variances + shifts.cwiseAbs2()).cwiseSqrt();
 }
 
 }  // namespace idiophone::fitting

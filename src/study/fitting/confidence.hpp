@@ -7,6 +7,10 @@
 
 namespace idiophone::fitting {
 
+/// Chi-squared over its degrees of freedom that 95 % are below; Abramowitz and Stegun, 26.4.17. Within 4 % from 1
+/// degree of freedom on.
+[[nodiscard]] double largest_by_chance(double freedom);
+
 /// Student's t that 97.5 % are below; Abramowitz and Stegun, 26.7.5. Within 3 % from 2 degrees of freedom on.
 [[nodiscard]] double student_t(double freedom);
 
@@ -18,12 +22,13 @@ struct Evidence {
 };
 
 /// Half-widths of the 95 % intervals of values that depend on the unknowns of all constants, those that keep their
-/// values included: Student's t times the root of the diagonal of G V G^T, with V = (J^T J/s^2 + 1/d^2)^-1, and of the
-/// square of G V J^T e/s^2. G are the derivatives of the values by the unknowns. s^2 is the mean square of the
-/// residuals per degree of freedom, at least 1, as the lines are not better than their uncertainties; the lines take
-/// the trace of (J^T J + 1/d^2)^-1 J^T J degrees of freedom for the constants. d are the expected deviations: a
-/// constant that the lines do not show is uncertain by d, and makes the others uncertain. e are the mesh's errors,
-/// which are of one sign, so that many lines do not make them smaller.
+/// values included: t times the root of the diagonal of G V G^T, with V = (J^T J/s^2 + 1/d^2)^-1, and of the square of
+/// G V J^T e/s^2. G are the derivatives of the values by the unknowns. The lines are as uncertain as they are said to
+/// be, s = 1 and t = 1.96, unless the residuals are larger than in 95 % of such fits (chi-squared). Then s^2 is the
+/// mean square of the residuals per degree of freedom, and t is Student's. The lines take the trace of (J^T J +
+/// 1/d^2)^-1 J^T J degrees of freedom for the constants. d are the expected deviations: a constant that the lines do
+/// not show is uncertain by d, and makes the others uncertain. e are the mesh's errors, which are of one sign, so that
+/// many lines do not make them smaller.
 /// @param value_slopes  G, [values x constants]
 [[nodiscard]] Eigen::VectorXd half_widths(const Evidence& evidence, const Expectation& expected,
                                           const Eigen::MatrixXd& value_slopes);

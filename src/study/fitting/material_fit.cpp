@@ -59,6 +59,7 @@ void MaterialFit::run(Identification& result) {
     choose();
     weigh();
     settle();
+    look_further(result);
   } catch (const Stopped&) {
     result.stopped = true;
     result.doubts.push_back(

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "confidence.hpp"
@@ -15,7 +16,8 @@
 
 namespace idiophone::fitting {
 
-inline constexpr double roughly = 3e-3;  // change of an unknown, before the constants are chosen
+inline constexpr double roughly = 3e-3;      // change of an unknown, before the constants are chosen
+inline constexpr double undetermined = 0.1;  // a 95 % half-width of ln of a modulus, or of a ratio, above this
 
 /// A fit in progress.
 class MaterialFit {
@@ -38,12 +40,22 @@ class MaterialFit {
     double squares;  ///< of the lines' distances over their uncertainties; infinite where there is no such material
   };
 
+  /// Modes whose lines may be measured next.
+  struct FurtherModes {
+    std::vector<Multiplet> multiplets;
+    Eigen::VectorXd frequencies;    ///< [multiplets] Hz
+    Eigen::MatrixXd slopes;         ///< of their cents over a line's uncertainty, [multiplets x constants]
+    Eigen::VectorXd mesh_errors;    ///< over the line's uncertainty, [multiplets]
+    std::vector<bool> is_measured;  ///< [multiplets]
+  };
+
   void begin();
   void find_start(const std::vector<Line>& lowest);
   void refine();
   void choose();
   void weigh();
   void settle();
+  void look_further(Identification& result);
   void renew_model(double trusted);
   void note_solve();
   void heed_watch() const;
@@ -53,6 +65,13 @@ class MaterialFit {
   [[nodiscard]] Expectation expectation_of(const scene::Material& material) const;
   [[nodiscard]] Held fit_chosen(const std::vector<bool>& chosen) const;
   [[nodiscard]] bool add_needed(std::vector<bool>& chosen) const;
+  [[nodiscard]] Evidence evidence() const;
+  [[nodiscard]] Eigen::VectorXd held_constants() const;
+  [[nodiscard]] FurtherModes further_modes();
+  [[nodiscard]] std::pair<Eigen::Index, double> narrowest(const FurtherModes& modes, const Evidence& known,
+                                                          const Eigen::RowVectorXd& combination) const;
+  [[nodiscard]] FurtherLine further_line(const FurtherModes& modes, Eigen::Index mode, Eigen::Index constant,
+                                         const Evidence& known) const;
   [[nodiscard]] Eigen::VectorXd widths_by_lines(const Eigen::MatrixXd& slopes) const;
   [[nodiscard]] bool is_settled() const;
   void tell(Identification& result) const;

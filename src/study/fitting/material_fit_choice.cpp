@@ -11,7 +11,6 @@ namespace idiophone::fitting {
 /// Chooses the constants that the lines determine. The others get the deck's values, but for those without which the
 /// lines do not fit.
 void MaterialFit::choose() {
-  constexpr double undetermined = 0.1;  // 95 % half-width of ln of a modulus, or of a ratio
   const auto unknowns = static_cast<Eigen::Index>(chosen_.size());
   const Eigen::VectorXd widths = widths_by_lines(Eigen::MatrixXd::Identity(unknowns, unknowns));
   const Eigen::VectorXd may_change = stages_.back().rowwise().sum();
@@ -39,15 +38,20 @@ void MaterialFit::weigh() {
   widths_ = widths_by_lines(value_slopes(constants_, material_));
 }
 
-/// Of the 95 % intervals of what has these derivatives by the unknowns, with the mesh errors that are known.
-Eigen::VectorXd MaterialFit::widths_by_lines(const Eigen::MatrixXd& slopes) const {
+/// What the lines that have a mode say, with the mesh errors that are known.
+Evidence MaterialFit::evidence() const {
   Evidence evidence{line_residuals(problem(), pairs_, material_), line_slopes(problem(), pairs_, material_),
                     Eigen::VectorXd::Zero(static_cast<Eigen::Index>(pairs_.size()))};
   for (std::size_t i = 0; i < pairs_.size(); ++i) {
     const std::size_t line = pairs_[i].first;
     evidence.mesh_errors[static_cast<Eigen::Index>(i)] = mesh_errors_[line] / lines_[line].uncertainty;
   }
-  return half_widths(evidence, expected_, slopes);
+  return evidence;
+}
+
+/// Of the 95 % intervals of what has these derivatives by the unknowns.
+Eigen::VectorXd MaterialFit::widths_by_lines(const Eigen::MatrixXd& slopes) const {
+  return half_widths(evidence(), expected_, slopes);
 }
 
 /// Adds the constant whose change makes the lines fit best, if it does so beyond chance: an F test at 5 %.

@@ -119,6 +119,21 @@ FrequencyModel StrainedBody::lowest(const scene::Material& material, int count) 
   return solve(material, {.count = std::clamp(count, 1, std::max(1, room)), .mass = mass_});
 }
 
+StrainedBody::Antinode StrainedBody::antinode(const Multiplet& multiplet) const {
+  const Eigen::VectorXd shape = shapes_ * factors_.col(multiplet.first);
+  const auto motion = [&](Index node) { return shape.segment<3>(3 * static_cast<Eigen::Index>(node)); };
+  double largest = 0.0;
+  Index found = part_.vertices.front();
+  for (const Index node : part_.vertices) {
+    constexpr double more = 1e-6;  // of equal motions by symmetry, the first, whatever the solver's rounding
+    if (motion(node).squaredNorm() > (1 + more) * largest) {
+      largest = motion(node).squaredNorm();
+      found = node;
+    }
+  }
+  return {part_.reference[static_cast<std::size_t>(found)], motion(found).normalized()};
+}
+
 std::vector<double> StrainedBody::mesh_errors(const FrequencyModel& model) const {
   const Eigen::MatrixXd fields = shapes_ * factors_;
   std::vector<std::vector<double>> shapes;

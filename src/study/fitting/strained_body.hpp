@@ -40,6 +40,14 @@ class StrainedBody {
   /// too high by the square of the change times what modes beyond the last one take part.
   [[nodiscard]] FrequencyModel nearby(const scene::Material& material);
 
+  struct Antinode {
+    Vector3 place;      ///< m
+    Vector3 direction;  ///< of the motion, of length 1
+  };
+  /// Where the surface moves most in a mode of a multiplet.
+  /// @param multiplet  of the last model that this body made
+  [[nodiscard]] Antinode antinode(const Multiplet& multiplet) const;
+
   /// Cents by which the mesh makes the multiplets of a model wrong, at most 100. [multiplets] Estimated
   /// (eigenmodes::mesh_errors()) as far as that is quick, and by rule (accuracy::pitch_error()) for the others.
   /// @param model  the last one that this body made

@@ -47,11 +47,24 @@ struct MissingModes {
   double frequency = 0.0;  ///< Hz
 };
 
+/// A mode without a line that tells much of a constant that the lines do not determine.
+struct FurtherLine {
+  std::string constant;
+  int first_mode = 0;       ///< from 1 on
+  int modes = 0;            ///< so many of one frequency
+  double frequency = 0.0;   ///< computed, Hz
+  double half_width = 0.0;  ///< of the constant's 95 % interval with this line and those named before
+  Vector3 place;            ///< in the body where the mode moves most, m: strike there, or listen there
+  Vector3 direction;        ///< of length 1, in which it moves there
+};
+
 struct Identification {
   scene::Material material;                   ///< as the deck has it, with what was found
   std::vector<IdentifiedConstant> constants;  ///< in the material's order
   std::vector<AssignedLine> lines;            ///< ascending
   std::vector<MissingModes> missing;          ///< ascending
+  std::vector<FurtherLine> further;           ///< that would determine the constants that are not; by constant
+  double looked_up_to = 0.0;                  ///< Hz, the highest mode among which they were looked for; 0: none were
   std::optional<double> fitted_rms;           ///< root of the mean square of the fitted lines' cents
   std::optional<double> tested_rms;           ///< of the others'; none if there are none
   bool has_damping = false;                   ///< the material's damping is from measured decay times
@@ -66,8 +79,9 @@ struct Identification {
 /// common factor of all moduli and adds unknowns. A measured mass gives the density, decay times the damping. The 95 %
 /// intervals contain the lines' uncertainties, the errors of the mesh and those of constants that are held. A constant
 /// whose interval is wider than +-10 %, or of a Poisson's ratio +-0.1, keeps the deck's value if the lines fit as well
-/// with it. The fit is not accepted where a line is false, or where the root of the mean square of the fitted lines'
-/// cents over their uncertainties is above 3. On this rank alone.
+/// with it, and further lines are named that would determine it. The fit is not accepted where a line is false, or
+/// where the root of the mean square of the fitted lines' cents over their uncertainties is above 3. On this rank
+/// alone.
 /// @param solids  one body (scene::Solids::alone)
 /// @throws std::runtime_error for an unknown constant, or if no line fits any mode; deck::DeckError for a wrong mesh;
 ///         what eigenmodes::find_modes() throws

@@ -1,0 +1,15 @@
+#pragma once
+// What `idiophone identify` answers, as text and as JSON.
+
+#include <nlohmann/json.hpp>
+
+#include "idiophone/study/fitting/identification.hpp"
+
+namespace idiophone::app {
+
+void print(const fitting::Identification& found);
+
+/// The keys are those of docs/use/identify.md.
+[[nodiscard]] nlohmann::json identification_facts(const fitting::Identification& found);
+
+}  // namespace idiophone::app
