@@ -1,5 +1,9 @@
 #include "idiophone/air/harmonic/radiation_file.hpp"
 
+#include <algorithm>
+#include <array>
+#include <span>
+
 #include "idiophone/files/atomic_file.hpp"
 #include "idiophone/files/attributes.hpp"
 #include "idiophone/files/checksum.hpp"
