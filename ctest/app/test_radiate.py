@@ -21,6 +21,7 @@ listeners:
 time: {duration: 0.01}
 radiation: {model: kirchhoff}
 """
+COARSE = "--set", "bodies.ball.parameters.size=0.06"
 VELOCITY_COLUMNS = "frequency,x,y,z,vx,vx_imaginary,vy,vy_imaginary,vz,vz_imaginary"
 
 
@@ -118,9 +119,9 @@ class Radiate(program.TestCase):
         path.write_text("\n".join(rows) + "\n")
         return path
 
-    def rigid_motion(self):
+    def rigid_motion(self, *arguments):
         """The sound of a motion along z at 800 Hz, and the vertices of the surface."""
-        self.require_status(self.radiate("--frequencies", "800"), program.FINISHED)
+        self.require_status(self.radiate("--frequencies", "800", *arguments), program.FINISHED)
         with h5py.File(self.output / "ball_radiation.h5") as file:
             sounds = file["sounds"]
             alone = {name: sounds[name][2] for name in ("power", "efficiency", "mean_square_velocity", "kirchhoff_worst")}
@@ -141,6 +142,32 @@ class Radiate(program.TestCase):
             self.assertTrue(numpy.isnan(sounds["loss_factor"]).all())
             numpy.testing.assert_allclose(sounds["waves_worst"], 0, atol=0.6)
 
+    def test_velocities_of_an_hdf5_file_are_those_of_the_table(self):
+        _, _, vertices = self.rigid_motion(*COARSE)
+        motions = {800.0: vertices * (1 + 2j), 1000.0: vertices[:, ::-1] * 3j}
+        self.require_status(self.radiate("--velocities", self.write_velocities(vertices, motions), *COARSE), program.FINISHED)
+        expected = program.contents(self.output / "ball_radiation.h5")
+        velocity = numpy.array(list(motions.values()))
+        path = self.output / "velocities.h5"
+        for change, said in (("", ""), ("unit", "must be in m/s, not mm/s"), ("shape", "/velocity must have the shape [2 x"),
+                             ("nan", f"{path}:/velocity:2:1: frequency, position or velocity is not finite")):
+            with h5py.File(path, "w") as file:
+                file["frequency"], file["position"] = list(motions), vertices
+                file["velocity"] = numpy.stack([velocity.real, velocity.imag], axis=-1)[:, :-1 if change == "shape" else None]
+                if change == "unit":
+                    file["velocity"].attrs["unit"] = "mm/s"
+                if change == "nan":
+                    file["velocity"][1, 0, 0, 0] = numpy.nan
+            job = self.radiate("--velocities", path, *COARSE)
+            if said:
+                self.assertNotIn(job.returncode, (program.FINISHED, program.RESUMABLE), said)
+                self.assertIn(said, job.stderr)
+                continue
+            self.require_status(job, program.FINISHED)
+            found = program.contents(self.output / "ball_radiation.h5")
+            for name, values in expected.items():
+                numpy.testing.assert_array_equal(found[name], values, name)
+
     def test_velocities_that_do_not_fit(self):
         _, _, vertices = self.rigid_motion()
         file = self.write_velocities(vertices, {800.0: [0, 0, 1]})
@@ -150,10 +177,46 @@ class Radiate(program.TestCase):
                             ([header, first, first, *rows], "velocities.csv:3:1: a row before has the same vertex at 800 Hz"),
                             ([header, "800,9,9,9,0,0,0,0,1,0", *rows], "velocities.csv:2:1: no vertex of the body is here"),
                             ([header, first.replace("800.0", "-1"), *rows], "the frequency must be above 0 Hz, not -1"),
-                            (still, "all velocities at 800 Hz are 0"), ([header], "has no rows"),
+                            (still, "all velocities at 800 Hz are 0"), ([header], "has no velocities"),
                             (["frequency,x", first, *rows], f"the columns must be '{VELOCITY_COLUMNS}'")):
             file.write_text("\n".join(lines) + "\n")
             job = self.radiate("--velocities", file)
+            self.assertNotIn(job.returncode, (program.FINISHED, program.RESUMABLE), said)
+            self.assertIn(said, job.stderr)
+
+    def write_listeners(self, text):
+        path = self.output / "listeners.yaml"
+        path.write_text(text)
+        return path
+
+    def hear(self, listeners, *arguments, ranks=None):
+        return program.idiophone("radiate", self.output / "ball_radiation.h5", "--listeners", self.write_listeners(listeners),
+                                 "--output-folder", self.output, *arguments, ranks=ranks)
+
+    def test_other_listeners_hear_what_a_new_solution_gives(self):
+        listeners = "{near: {type: mono, position: [0, 0.02, 0.06]}, far: {type: mono, position: [3, 1, 0]}}"
+        humid = "radiation.air={absorption: true}"
+        self.require_status(self.radiate("--frequencies", 800, *COARSE, tolerance=0.3), program.FINISHED)
+        first = program.contents(self.output / "ball_radiation.h5")
+        self.require_status(self.hear(f"listeners: {listeners}", "--set", humid, ranks=2), program.FINISHED)
+        heard = program.contents(self.output / "ball_listen_radiation.h5")
+        self.require_status(self.radiate("--frequencies", 800, *COARSE, "--set", f"listeners={listeners}", "--set", humid,
+                                         tolerance=0.3), program.FINISHED)
+        solved = program.contents(self.output / "ball_radiation.h5")
+        self.assertEqual(heard.keys(), solved.keys())
+        for name, values in heard.items():
+            expected = (solved if name.startswith("listeners") else first)[name]
+            numpy.testing.assert_array_equal(values, expected, name)
+        self.assertTrue("solutions/1/pressure" in heard, list(heard))
+
+    def test_listeners_that_do_not_fit(self):
+        self.require_status(self.radiate("--frequencies", "400", *COARSE), program.FINISHED)
+        ear = "listeners: {ear: {type: mono, position: [0, 0, 0.2]}}"
+        for text, said in (("listeners: {ear: {type: mono, position: [0, 0, 0.01]}}", "inside"),
+                           (ear + "\nradiation: {floor: {at: [0, 0, -1]}}", "which was solved without a floor"),
+                           (ear + "\nradiation: {air: {speed: 300}}", "radiation.air.speed"),
+                           (ear + "\nname: ball", "would be overwritten")):
+            job = self.hear(text)
             self.assertNotIn(job.returncode, (program.FINISHED, program.RESUMABLE), said)
             self.assertIn(said, job.stderr)
 

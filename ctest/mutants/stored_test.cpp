@@ -145,6 +145,8 @@ TEST_F(Stored, Voice) {
 
 TEST_F(Stored, Radiation) {
   harmonic::write_radiation(folder / "plate_radiation.h5", results::origin, harmonic::small_radiation());
+  expect_stored("radiation", folder / "plate_radiation.h5",
+                [](const File& file) { static_cast<void>(harmonic::read_radiation(file)); });
   expect_stored("radiation_info", folder / "plate_radiation.h5", describe);
 }
 

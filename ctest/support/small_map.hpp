@@ -23,6 +23,10 @@ inline SoundMap small_map() {
   map.frequency = {100.0 / 3, 200};
   map.material_decay = {1.0 / 7, 2};
   map.radiation_decay = {0, 1.0 / 3};
+  map.scalable = {.mesh = "0123456789abcdef",
+                  .held = "rim xyz",
+                  .stiffness = ScalableModes::Stiffness::Identity() * 2e11,
+                  .lossless_frequency = {100.0 / 3, 200}};
   map.vertices = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1.0 / 3}};
   map.triangles = {{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}};
   for (int i = 0; i < 24; ++i) {

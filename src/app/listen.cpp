@@ -23,6 +23,7 @@
 #include "idiophone/run/results/verification.hpp"
 #include "idiophone/scene/listening.hpp"
 #include "listener_warnings.hpp"
+#include "other_file.hpp"
 
 namespace idiophone::app {
 
@@ -73,15 +74,9 @@ scene::RecordedDeck recorded_deck(const ListenOptions& options, const surface::R
 }
 
 void require_new_file(const std::filesystem::path& result, const std::filesystem::path& recording) {
-  std::error_code ignored;  // what is not there is not overwritten
   for (const auto& mine : {recording, record::recording_of(recording)}) {
     for (const auto& made : {result, record::recording_of(result)}) {
-      if (std::filesystem::equivalent(made, mine, ignored)) {
-        throw std::runtime_error(
-            fmt::format("{} belongs to the recording and would be overwritten; give the deck another name, or another "
-                        "--output-folder",
-                        result.string()));
-      }
+      require_other_file(made, mine);
     }
   }
 }

@@ -6,12 +6,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "answer.hpp"
 #include "command.hpp"
 #include "idiophone/air/harmonic/acoustic_surface.hpp"
 #include "idiophone/air/harmonic/body_vibrations.hpp"
 #include "idiophone/air/harmonic/radiated_sound.hpp"
-#include "idiophone/air/harmonic/radiation_file.hpp"
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
@@ -20,6 +18,7 @@
 #include "idiophone/run/loop/output_lock.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/find_body.hpp"
+#include "listen_to_radiation.hpp"
 #include "listener_warnings.hpp"
 #include "radiation_answer.hpp"
 #include "search_watch.hpp"
@@ -29,19 +28,23 @@ namespace idiophone::app {
 namespace {
 
 struct RadiateOptions {
-  std::filesystem::path deck;
+  std::filesystem::path deck;       ///< or a result, if there are other listeners for it
+  std::filesystem::path listeners;  ///< deck of other listeners for the result; empty: a deck is solved
   std::vector<std::string> overrides;
   std::filesystem::path output = "results";
   std::string body;                  ///< empty for the first
   int modes = 10;                    ///< number of modes, the lowest
   std::vector<double> frequencies;   ///< Hz; if there are any, the body moves rigidly along each axis, without modes
-  std::filesystem::path velocities;  ///< CSV file; if there is one, the body moves as it says
+  std::filesystem::path velocities;  ///< file; if there is one, the body moves as it says
   harmonic::RadiationOptions accuracy;
   Style style = Style::text;
 };
 
 void declare(CLI::App& app, RadiateOptions& options) {
-  add_deck(app, options.deck, options.overrides);
+  app.add_option("deck", options.deck,
+                 "the scene, a YAML file (docs/use/deck.md); with --listeners, a result NAME_radiation.h5")
+      ->required();
+  add_overrides(app, options.overrides);
   add_body(app, options.body);
   CLI::Option* modes = app.add_option("--modes", options.modes, "number of modes, the lowest")->capture_default_str();
   CLI::Option* frequencies = app.add_option("--frequencies", options.frequencies,
@@ -49,7 +52,7 @@ void declare(CLI::App& app, RadiateOptions& options) {
                                  ->delimiter(',')
                                  ->allow_extra_args(false)
                                  ->excludes(modes);
-  app.add_option("--velocities", options.velocities, "CSV file: velocities of all vertices, instead of modes")
+  app.add_option("--velocities", options.velocities, "CSV or .h5 file: velocities of all vertices, instead of modes")
       ->excludes(modes)
       ->excludes(frequencies);
   app.add_option("--waves", options.accuracy.cell, "m: compare with model waves, too, with cells of this size");
@@ -60,6 +63,12 @@ void declare(CLI::App& app, RadiateOptions& options) {
   app.add_option("--most-vertices", options.accuracy.most_vertices, "that a refined surface may have")
       ->check(CLI::Range(1, 10000000))
       ->capture_default_str();
+  CLI::Option* listeners = app.add_option("--listeners", options.listeners,
+                                          "YAML file: listeners that hear the result, without solving it again");
+  for (const char* other :
+       {"--body", "--modes", "--frequencies", "--velocities", "--waves", "--tolerance", "--most-vertices"}) {
+    listeners->excludes(other);
+  }
   add_output_folder(app, options.output, "folder of the results");
   add_json(app, options.style);
 }
@@ -97,18 +106,7 @@ void warn_of_omissions(const scene::Scene& scene) {
                    obstacle.name);
     }
   }
-  if (scene.radiation.room) {
-    spdlog::warn("the walls of radiation.room are left out; radiation: {{floor: ...}} reflects sound");
-  }
-  warn_of_still_listeners(scene, "the result");
-}
-
-propagation::Surroundings surroundings(const scene::Scene& scene, const harmonic::AcousticSurface& surface) {
-  return {.names = surface.parts,
-          .bodies = scene.bodies.size(),
-          .vertices = surface.boundary.vertices,
-          .triangles = surface.boundary.triangles,
-          .first_triangle = surface.first_triangle};
+  warn_of_unheard(scene);
 }
 
 std::vector<harmonic::Vibration> vibrations_of(const scene::Scene& scene, std::size_t body,
@@ -174,18 +172,33 @@ void warn_of_errors(const harmonic::Radiation& result, const harmonic::Radiation
 
 int radiate(const RadiateOptions& options) {
   MPI_Comm communicator = MPI_COMM_WORLD;
+  if (!options.listeners.empty()) {
+    listen_to_radiation({.result = options.deck,
+                         .listeners = options.listeners,
+                         .overrides = options.overrides,
+                         .output = options.output,
+                         .style = options.style},
+                        communicator);
+    return loop::exit_finished;
+  }
   check_radiate(options);
   const scene::Scene scene = bodies::read_deck(options.deck, options.overrides, communicator);
   check_grid(scene, options.accuracy.cell);
   const std::size_t body = scene::find_body(scene.bodies, options.body);
-  const std::string name = scene.name + (scene.bodies.size() > 1 ? "_" + scene.bodies[body].name : "") + "_radiation";
+  const std::string name = radiation_name(scene.name, scene.bodies.size(), scene.bodies[body].name);
   const loop::OutputLock lock(options.output, name, communicator);
   harmonic::AcousticSurface surface;
   std::vector<harmonic::Vibration> vibrations;
   parallel::on_root(communicator, [&] {
     warn_of_omissions(scene);
     surface = harmonic::acoustic_surface(scene, scene.radiation.floor);
-    check_placement(scene, surroundings(scene, surface), propagation::Hearing::exact);
+    check_placement(scene,
+                    {.names = surface.parts,
+                     .bodies = scene.bodies.size(),
+                     .vertices = surface.boundary.vertices,
+                     .triangles = surface.boundary.triangles,
+                     .first_triangle = surface.first_triangle},
+                    propagation::Hearing::exact);
     vibrations = vibrations_of(scene, body, surface, options);
     const harmonic::BoundaryElements elements(surface.boundary, {});
     check_resolution(vibrations, elements.longest_edge(), scene.radiation.air.speed);
@@ -198,13 +211,8 @@ int radiate(const RadiateOptions& options) {
   }();
   parallel::on_root(communicator, [&] {
     warn_of_errors(result, options.accuracy);
-    harmonic::write_radiation(options.output / (name + ".h5"),
-                              {scene.name, program_version, scene.deck_text, scene.overrides}, result);
-    if (options.style == Style::json) {
-      print_answer(radiation_facts(result));
-    } else {
-      print_radiation(result);
-    }
+    write_and_print(options.output / (name + ".h5"), {scene.name, program_version, scene.deck_text, scene.overrides},
+                    result, options.style);
     if (result.sounds.size() < vibrations.size()) {
       spdlog::error("stopped by a signal: {} of {} motions are left out", vibrations.size() - result.sounds.size(),
                     vibrations.size());

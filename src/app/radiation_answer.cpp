@@ -1,16 +1,23 @@
 #include "radiation_answer.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <cmath>
-#include <string>
+#include <nlohmann/json.hpp>
 
+#include "answer.hpp"
+#include "idiophone/air/harmonic/radiation_file.hpp"
 #include "idiophone/run/loop/facts.hpp"
+#include "listener_warnings.hpp"
 
 namespace idiophone::app {
 
+namespace {
+
 void print_radiation(const harmonic::Radiation& result) {
-  fmt::print("body {}: {} vertices, {} triangles\n", result.body, result.vertices.size(), result.triangles.size());
+  fmt::print("body {}: {} vertices, {} triangles\n", result.body, result.surfaces.front().vertices.size(),
+             result.surfaces.front().triangles.size());
   fmt::print("{:<10}  {:>12}  {:>11}  {:>8}  {:>10}  {:>11}  {:>14}  {:>13}  {:>9}\n", "motion", "frequency/Hz",
              "power/W", "error/dB", "efficiency", "loss factor", "directivity/dB", "kirchhoff/dB", "waves/dB");
   for (const auto& sound : result.sounds) {
@@ -28,8 +35,8 @@ void print_radiation(const harmonic::Radiation& result) {
 
 nlohmann::json radiation_facts(const harmonic::Radiation& result) {
   nlohmann::json answer = {{"body", result.body},
-                           {"vertices", result.vertices.size()},
-                           {"triangles", result.triangles.size()},
+                           {"vertices", result.surfaces.front().vertices.size()},
+                           {"triangles", result.surfaces.front().triangles.size()},
                            {"sounds", nlohmann::json::array()}};
   for (const auto& sound : result.sounds) {
     auto listeners = nlohmann::json::object();
@@ -41,7 +48,7 @@ nlohmann::json radiation_facts(const harmonic::Radiation& result) {
                                 {"power", sound.power},
                                 {"mean_square_velocity", sound.mean_square_velocity},
                                 {"level_error", loop::number_or_null(sound.level_error)},
-                                {"solved_vertices", std::lround(sound.solved_vertices)},
+                                {"solved_vertices", sound.solution.pressure.size()},
                                 {"efficiency", sound.efficiency},
                                 {"loss_factor", loop::number_or_null(sound.loss_factor)},
                                 {"directivity_index", sound.directivity_index},
@@ -54,6 +61,29 @@ nlohmann::json radiation_facts(const harmonic::Radiation& result) {
                                 {"listeners", listeners}});
   }
   return answer;
+}
+
+}  // namespace
+
+std::string radiation_name(const std::string& name, std::size_t bodies, const std::string& body) {
+  return name + (bodies > 1 ? "_" + body : "") + "_radiation";
+}
+
+void warn_of_unheard(const scene::Scene& scene) {
+  if (scene.radiation.room) {
+    spdlog::warn("the walls of radiation.room are left out; radiation: {{floor: ...}} reflects sound");
+  }
+  warn_of_still_listeners(scene, "the result");
+}
+
+void write_and_print(const std::filesystem::path& path, const Origin& origin, const harmonic::Radiation& result,
+                     Style style) {
+  harmonic::write_radiation(path, origin, result);
+  if (style == Style::json) {
+    print_answer(radiation_facts(result));
+  } else {
+    print_radiation(result);
+  }
 }
 
 }  // namespace idiophone::app

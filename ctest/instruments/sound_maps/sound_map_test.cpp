@@ -58,6 +58,11 @@ TEST_F(SoundMapFile, ComesBackToTheBit) {
   EXPECT_EQ(read.frequency, map.frequency);
   EXPECT_EQ(read.material_decay, map.material_decay);
   EXPECT_EQ(read.radiation_decay, map.radiation_decay);
+  ASSERT_TRUE(read.scalable.has_value());
+  EXPECT_EQ(read.scalable->mesh, map.scalable->mesh);
+  EXPECT_EQ(read.scalable->held, "rim xyz");
+  EXPECT_EQ(read.scalable->stiffness, map.scalable->stiffness);
+  EXPECT_EQ(read.scalable->lossless_frequency, map.scalable->lossless_frequency);
   EXPECT_EQ(read.decay(1), 2 + 1.0 / 3);
   EXPECT_EQ(read.vertices, map.vertices);
   EXPECT_EQ(read.triangles, map.triangles);
@@ -90,6 +95,7 @@ TEST_F(SoundMapFile, HasTheErrorOfTheMeshWhereItIsKnown) {
 TEST_F(SoundMapFile, OfAMembraneHasNoMaterial) {
   SoundMap map = small_map();
   map.material.reset();
+  map.scalable.reset();
   write_sound_map(path_, map);
   EXPECT_FALSE(read_sound_map(path_).material.has_value());
 }

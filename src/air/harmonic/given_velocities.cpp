@@ -9,24 +9,11 @@
 
 #include "idiophone/foundation/deck/csv.hpp"
 #include "idiophone/foundation/each_once.hpp"
+#include "velocity_file.hpp"
 
 namespace idiophone::harmonic {
 
 namespace {
-
-const std::vector<deck::CsvColumn> columns = {{"frequency", "Hz"}, {"x", "m"},
-                                              {"y", "m"},          {"z", "m"},
-                                              {"vx", "m/s"},       {"vx_imaginary", "m/s"},
-                                              {"vy", "m/s"},       {"vy_imaginary", "m/s"},
-                                              {"vz", "m/s"},       {"vz_imaginary", "m/s"}};
-
-std::string header_text() {
-  std::string text;
-  for (const deck::CsvColumn& column : columns) {
-    text += (text.empty() ? "" : ",") + column.name;
-  }
-  return text;
-}
 
 /// The vertices of a body, by their places.
 class Vertices {
@@ -45,11 +32,10 @@ class Vertices {
   [[nodiscard]] const Vector3& place(Index number) const { return places_[number]; }
 
   /// Reports a place that is farther from all vertices than a hundredth of the shortest edge.
-  Index find(const deck::CsvRow& row, deck::Mistakes& mistakes) {
-    const std::array<double, 3> at = {row.values[1], row.values[2], row.values[3]};
-    const auto [known, is_new] = found_.try_emplace(at, 0);
+  Index find(const VelocityRow& row, deck::Mistakes& mistakes) {
+    const auto [known, is_new] = found_.try_emplace({row.place.x(), row.place.y(), row.place.z()}, 0);
     if (is_new) {
-      const auto distance = [&](Index number) { return (places_[number] - Vector3::Map(at.data())).norm(); };
+      const auto distance = [&](Index number) { return (places_[number] - row.place).norm(); };
       known->second = std::ranges::min(numbers_, {}, distance);
       if (distance(known->second) > 0.01 * shortest_edge_) {
         const Vector3& nearest = places_[known->second];
@@ -72,7 +58,7 @@ class Vertices {
 void check_each_frequency(const std::map<double, VertexVelocities>& velocities, const Vertices& vertices,
                           const deck::Location& where, deck::Mistakes& mistakes) {
   if (velocities.empty()) {
-    mistakes.add(where, fmt::format("has no rows '{}'", header_text()));
+    mistakes.add(where, "has no velocities");
   }
   for (const auto& [frequency, of_vertex] : velocities) {
     if (std::ranges::all_of(of_vertex, [](const auto& entry) { return entry.second.isZero(0.0); })) {
@@ -96,24 +82,18 @@ void check_each_frequency(const std::map<double, VertexVelocities>& velocities, 
 std::map<double, VertexVelocities> read_velocities(const std::filesystem::path& file, const AcousticSurface& surface,
                                                    std::size_t body) {
   deck::Mistakes mistakes;
-  std::vector<deck::CsvRow> rows;
-  std::optional<deck::CsvHeader> header;
-  if (deck::read_csv(file, columns, mistakes, rows, &header) && header && header->text != header_text()) {
-    mistakes.add(header->where, fmt::format("the columns must be '{}', not '{}'", header_text(), header->text));
-  }
+  const std::vector<VelocityRow> rows =
+      file.extension() == ".h5" ? hdf5_velocities(file, mistakes) : csv_velocities(file, mistakes);
   mistakes.raise();
   Vertices vertices(surface, body);
   std::map<double, VertexVelocities> velocities;
-  for (const deck::CsvRow& row : rows) {
-    const std::vector<double>& values = row.values;
-    if (!(values[0] > 0.0)) {
-      mistakes.add(row.where, fmt::format("the frequency must be above 0 Hz, not {}", values[0]));
+  for (const VelocityRow& row : rows) {
+    if (!(row.frequency > 0.0)) {
+      mistakes.add(row.where, fmt::format("the frequency must be above 0 Hz, not {}", row.frequency));
     }
-    const ComplexVector velocity(Complex(values[4], values[5]), Complex(values[6], values[7]),
-                                 Complex(values[8], values[9]));
-    const bool is_new = velocities[values[0]].emplace(vertices.find(row, mistakes), velocity).second;
+    const bool is_new = velocities[row.frequency].emplace(vertices.find(row, mistakes), row.velocity).second;
     if (!is_new) {
-      mistakes.add(row.where, fmt::format("a row before has the same vertex at {} Hz", values[0]));
+      mistakes.add(row.where, fmt::format("a row before has the same vertex at {} Hz", row.frequency));
     }
     if (mistakes.count() >= deck::most_mistakes_of_a_table) {
       break;

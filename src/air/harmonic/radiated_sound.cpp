@@ -8,8 +8,8 @@
 
 #include "grid_far_field.hpp"
 #include "harmonic_kirchhoff.hpp"
+#include "idiophone/air/harmonic/listener_pressures.hpp"
 #include "idiophone/air/harmonic/sphere_rule.hpp"
-#include "idiophone/air/radiation/absorption.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/gather.hpp"
 #include "idiophone/foundation/parallel/reduce.hpp"
@@ -44,20 +44,12 @@ harmonic::Radiation facts_of(const scene::Acoustics& acoustics, std::size_t body
                              double highest) {
   harmonic::Radiation facts;
   facts.body = acoustics.bodies[body].name;
+  facts.bodies = acoustics.bodies.size();
   facts.parts = surface.parts;
   facts.first_triangle = surface.first_triangle;
-  facts.vertices = surface.boundary.vertices;
-  facts.triangles = surface.boundary.triangles;
-  for (const scene::Listener& listener : acoustics.listeners) {
-    const std::size_t members = listener.head ? 1 : listener.receivers.size();
-    for (std::size_t r = 0; r < members; ++r) {
-      const scene::Receiver& receiver = listener.receivers[r];
-      facts.listener_names.push_back(listener.head ? listener.name : receiver.channel);
-      facts.listener_positions.push_back(listener.place(receiver, 0.0).position);
-    }
-  }
+  facts.surfaces = {surface.boundary};
   Eigen::AlignedBox3d box;
-  for (const Vector3& vertex : facts.vertices) {
+  for (const Vector3& vertex : surface.boundary.vertices) {
     box.extend(vertex);
   }
   const double phase = 2.0 * std::numbers::pi * highest / acoustics.radiation.air.speed * box.diagonal().norm() / 2.0;
@@ -68,6 +60,7 @@ harmonic::Radiation facts_of(const scene::Acoustics& acoustics, std::size_t body
   facts.weights = std::move(sphere.weights);
   facts.air_density = acoustics.radiation.air.density;
   facts.air_speed = acoustics.radiation.air.speed;
+  place_listeners(facts, acoustics.listeners);
   return facts;
 }
 
@@ -114,12 +107,6 @@ std::pair<double, double> area_and_flux(const AcousticSurface& surface, std::siz
   return {area, square};
 }
 
-/// Of the air at a frequency, 1/m.
-double attenuation_of(const scene::AirProperties& air, double frequency) {
-  return air.absorption ? radiation::Atmosphere{air.temperature, air.humidity, air.pressure}.attenuation(frequency)
-                        : 0.0;
-}
-
 /// What all sounds have in common.
 struct Radiator {
   std::size_t body;
@@ -160,10 +147,9 @@ harmonic::RadiatedSound sound_of(const harmonic::BoundaryElements& elements, con
   const double angular = 2.0 * std::numbers::pi * vibration.frequency;
   sound.loss_factor =
       vibration.energy > 0 ? field.power / (angular * vibration.energy) : std::numeric_limits<double>::quiet_NaN();
-  sound.surface_pressure = field.pressure;
-  sound.surface_pressure.resize(facts.vertices.size());  // refined surfaces begin with these vertices
-  sound.listener_pressure =
-      elements.pressure_at(field, facts.listener_positions, attenuation_of(radiator.air, vibration.frequency));
+  sound.frequency = vibration.frequency;
+  sound.solution = field;
+  sound.listener_pressure = pressures_at_listeners(elements, sound, facts.listener_positions, radiator.air);
   sound.far_field = elements.far_field(field, facts.directions);
   double loudest = 0.0;
   for (const Complex pressure : sound.far_field) {
@@ -187,9 +173,20 @@ std::vector<harmonic::RadiatedSound> sounds_of(const FrequencyGroup& group, Surf
   for (std::size_t m = 0; m < solution.fields.size(); ++m) {
     sounds.push_back(sound_of(*solution.elements, solution.fields[m], vibrations[group.first + m], radiator));
     sounds.back().level_error = solution.level_error[m];
-    sounds.back().solved_vertices = static_cast<double>(solution.elements->boundary().vertices.size());
+    sounds.back().refinements = solution.refinements;
   }
   return sounds;
+}
+
+/// Those that sounds were solved on.
+void add_refined_surfaces(harmonic::Radiation& result, SurfaceLevels& levels) {
+  std::size_t most = 0;
+  for (const harmonic::RadiatedSound& sound : result.sounds) {
+    most = std::max(most, sound.refinements);
+  }
+  for (std::size_t number = 1; number <= most; ++number) {
+    result.surfaces.push_back(levels.level(number)->elements.boundary());
+  }
 }
 
 }  // namespace
@@ -228,10 +225,10 @@ harmonic::Radiation radiated_sounds(const scene::Acoustics& acoustics, std::size
     for (std::size_t v = groups[g].first; v < groups[g].last; ++v) {
       auto& sound = result.sounds.emplace_back();
       sound.name = vibrations[v].name;
-      sound.frequency = vibrations[v].frequency;
-      left[g % ranks] = unpack(left[g % ranks], result, sound);
+      left[g % ranks] = unpack(left[g % ranks], sound);
     }
   }
+  add_refined_surfaces(result, levels);
   return result;
 }
 

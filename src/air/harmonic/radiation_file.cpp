@@ -1,14 +1,17 @@
 #include "idiophone/air/harmonic/radiation_file.hpp"
 
-#include <fmt/format.h>
-
-#include <functional>
+#include <algorithm>
+#include <array>
+#include <span>
 
 #include "idiophone/files/atomic_file.hpp"
 #include "idiophone/files/attributes.hpp"
 #include "idiophone/files/checksum.hpp"
 #include "idiophone/files/format.hpp"
 #include "idiophone/files/hdf5_dataset.hpp"
+#include "radiation_paths.hpp"
+#include "radiation_xdmf.hpp"
+#include "sound_facts.hpp"
 
 namespace idiophone::harmonic {
 
@@ -24,8 +27,10 @@ class RadiationWriter {
     hdf5::put(file_.id(), "body", radiation_.body);
     hdf5::put(file_.id(), "air_density", radiation_.air_density);
     hdf5::put(file_.id(), "air_speed", radiation_.air_speed);
+    hdf5::put(file_.id(), radiation_paths::bodies, static_cast<std::int64_t>(radiation_.bodies));
     write_sounds();
     write_surface();
+    write_solutions();
     write_listeners();
     write_directions();
     file_.close("can't write the radiated sound");
@@ -49,25 +54,44 @@ class RadiationWriter {
     put(path, {points.size(), 3}, coordinates, unit);
   }
 
-  void put(const std::string& path, const std::string& unit, double RadiatedSound::*fact) {
+  void put(const SoundFact& fact) {
     std::vector<double> values;
     for (const RadiatedSound& sound : radiation_.sounds) {
-      values.push_back(sound.*fact);
+      values.push_back(sound.*fact.value);
     }
-    put(path, {count_}, values, unit);
+    put(fact.path, {count_}, values, fact.unit);
   }
 
-  /// Real and imaginary parts, [sounds x width x 2].
-  void put(const std::string& path, const std::string& unit, std::vector<std::complex<double>> RadiatedSound::*field,
+  /// Real and imaginary parts of the first numbers of each field, [fields x width x 2].
+  void put(const std::string& path, const std::string& unit, const std::vector<const std::vector<Complex>*>& fields,
            std::size_t width) {
     std::vector<double> parts;
-    for (const RadiatedSound& sound : radiation_.sounds) {
-      for (const auto& value : sound.*field) {
+    for (const std::vector<Complex>* field : fields) {
+      for (const Complex value : std::span(*field).first(width)) {
         parts.push_back(value.real());
         parts.push_back(value.imag());
       }
     }
-    put(path, {count_, width, 2}, parts, unit);
+    put(path, {fields.size(), width, 2}, parts, unit);
+  }
+
+  /// One field of each sound.
+  template <class Field>
+  [[nodiscard]] std::vector<const std::vector<Complex>*> of_sounds(const Field& field) const {
+    std::vector<const std::vector<Complex>*> fields;
+    for (const RadiatedSound& sound : radiation_.sounds) {
+      fields.push_back(&field(sound));
+    }
+    return fields;
+  }
+
+  void put_surface(const std::string& group, const Boundary& surface) {
+    std::vector<std::int32_t> corners;
+    for (const auto& triangle : surface.triangles) {
+      corners.insert(corners.end(), triangle.begin(), triangle.end());
+    }
+    put(group + "/vertices", surface.vertices, "m");
+    put(group + "/triangles", {surface.triangles.size(), 3}, corners, "1");
   }
 
   void write_sounds() {
@@ -75,113 +99,88 @@ class RadiationWriter {
     for (const RadiatedSound& sound : radiation_.sounds) {
       names.push_back(sound.name);
     }
-    hdf5::put_dataset(file_.id(), "/sounds/name", names, MPI_COMM_SELF);
-    put("/sounds/frequency", "Hz", &RadiatedSound::frequency);
-    put("/sounds/mean_square_velocity", "m2/s2", &RadiatedSound::mean_square_velocity);
-    put("/sounds/power", "W", &RadiatedSound::power);
-    put("/sounds/level_error", "dB", &RadiatedSound::level_error);
-    put("/sounds/efficiency", "1", &RadiatedSound::efficiency);
-    put("/sounds/loss_factor", "1", &RadiatedSound::loss_factor);
-    put("/sounds/directivity_index", "dB", &RadiatedSound::directivity_index);
-    put("/sounds/kirchhoff_error", "dB", &RadiatedSound::kirchhoff_error);
-    put("/sounds/kirchhoff_worst", "dB", &RadiatedSound::kirchhoff_worst);
-    put("/sounds/rayleigh_error", "dB", &RadiatedSound::rayleigh_error);
-    put("/sounds/rayleigh_worst", "dB", &RadiatedSound::rayleigh_worst);
+    hdf5::put_dataset(file_.id(), radiation_paths::names, names, MPI_COMM_SELF);
+    std::ranges::for_each(sound_facts, [&](const SoundFact& fact) { put(fact); });
     if (radiation_.cell > 0.0) {
-      hdf5::put(file_.id(), "waves_cell", radiation_.cell);
-      put("/sounds/waves_error", "dB", &RadiatedSound::waves_error);
-      put("/sounds/waves_worst", "dB", &RadiatedSound::waves_worst);
+      hdf5::put(file_.id(), radiation_paths::cell, radiation_.cell);
+      std::ranges::for_each(waves_facts, [&](const SoundFact& fact) { put(fact); });
     }
   }
 
   void write_surface() {
-    std::vector<std::int32_t> corners;
-    for (const auto& triangle : radiation_.triangles) {
-      corners.insert(corners.end(), triangle.begin(), triangle.end());
-    }
+    const Boundary& surface = radiation_.surfaces.front();
+    const std::size_t vertices = surface.vertices.size();
     std::vector<double> amplitudes;
     for (const RadiatedSound& sound : radiation_.sounds) {
-      for (const auto& pressure : sound.surface_pressure) {
+      for (const Complex pressure : std::span(sound.solution.pressure).first(vertices)) {
         amplitudes.push_back(std::abs(pressure));
       }
     }
-    hdf5::put_dataset(file_.id(), "/surface/parts", radiation_.parts, MPI_COMM_SELF);
-    put("/surface/first_triangle", {radiation_.first_triangle.size()}, radiation_.first_triangle, "1");
-    put("/surface/vertices", radiation_.vertices, "m");
-    put("/surface/triangles", {radiation_.triangles.size(), 3}, corners, "1");
-    put("/surface/pressure", "Pa", &RadiatedSound::surface_pressure, radiation_.vertices.size());
-    put("/surface/amplitude", {count_, radiation_.vertices.size()}, amplitudes, "Pa");
+    hdf5::put_dataset(file_.id(), radiation_paths::parts, radiation_.parts, MPI_COMM_SELF);
+    put(radiation_paths::first_triangle, {radiation_.first_triangle.size()}, radiation_.first_triangle, "1");
+    put_surface("/surface", surface);
+    put("/surface/pressure", "Pa",
+        of_sounds([](const RadiatedSound& sound) -> const auto& { return sound.solution.pressure; }), vertices);
+    put("/surface/amplitude", {count_, vertices}, amplitudes, "Pa");
+    if (const auto& floor = surface.floor) {
+      hdf5::put(file_.id(), radiation_paths::floor_at, rows(floor->at));
+      hdf5::put(file_.id(), radiation_paths::floor_normal, rows(floor->normal));
+      hdf5::put(file_.id(), radiation_paths::floor_reflection, floor->reflection);
+    }
+  }
+
+  /// The surfaces that sounds were solved on, each with the solutions of its sounds.
+  void write_solutions() {
+    for (std::size_t level = 0; level < radiation_.surfaces.size(); ++level) {
+      std::vector<std::int32_t> numbers;
+      std::vector<const std::vector<Complex>*> pressures, velocities;
+      for (std::size_t s = 0; s < radiation_.sounds.size(); ++s) {
+        if (const RadiatedSound& sound = radiation_.sounds[s]; sound.refinements == level) {
+          numbers.push_back(static_cast<std::int32_t>(s));
+          pressures.push_back(&sound.solution.pressure);
+          velocities.push_back(&sound.solution.normal_velocity);
+        }
+      }
+      if (numbers.empty()) {
+        continue;
+      }
+      const Boundary& surface = radiation_.surfaces[level];
+      const std::string group = radiation_paths::solutions(level);
+      put_surface(group, surface);
+      put(group + "/sound", {numbers.size()}, numbers, "1");
+      put(group + "/pressure", "Pa", pressures, surface.vertices.size());
+      put(group + "/normal_velocity", "m/s", velocities, 3 * surface.triangles.size());
+    }
   }
 
   void write_listeners() {
     if (radiation_.listener_names.empty()) {
       return;
     }
-    hdf5::put_dataset(file_.id(), "/listeners/name", radiation_.listener_names, MPI_COMM_SELF);
-    put("/listeners/position", radiation_.listener_positions, "m");
-    put("/listeners/pressure", "Pa", &RadiatedSound::listener_pressure, radiation_.listener_names.size());
+    hdf5::put_dataset(file_.id(), radiation_paths::listener_names, radiation_.listener_names, MPI_COMM_SELF);
+    put(radiation_paths::listener_positions, radiation_.listener_positions, "m");
+    put(radiation_paths::listener_pressure, "Pa",
+        of_sounds([](const RadiatedSound& sound) -> const auto& { return sound.listener_pressure; }),
+        radiation_.listener_names.size());
   }
 
   void write_directions() {
-    put("/sphere/direction", radiation_.directions, "1");
-    put("/sphere/weight", {radiation_.weights.size()}, radiation_.weights, "sr");
-    put("/sphere/pressure", "Pa m", &RadiatedSound::far_field, radiation_.directions.size());
-    const auto dataset = hdf5::open_dataset(file_.id(), "/sphere/direction");
+    put(radiation_paths::directions, radiation_.directions, "1");
+    put(radiation_paths::weights, {radiation_.weights.size()}, radiation_.weights, "sr");
+    put(radiation_paths::far_field, "Pa m",
+        of_sounds([](const RadiatedSound& sound) -> const auto& { return sound.far_field; }),
+        radiation_.directions.size());
+    const auto dataset = hdf5::open_dataset(file_.id(), radiation_paths::directions);
     hdf5::put(dataset.id(), "rings", radiation_.rings);
     hdf5::put(dataset.id(), "azimuths", 2 * radiation_.rings);
   }
+
+  static std::vector<std::array<double, 3>> rows(const Vector3& point) { return {{point.x(), point.y(), point.z()}}; }
 
   hdf5::Identifier file_;
   const Radiation& radiation_;
   hsize_t count_;
 };
-
-/// A scalar of each vertex: a slab of a dataset.
-std::string attribute(const std::string& name, const std::string& slab, const std::string& whole,
-                      std::size_t vertices) {
-  return fmt::format(
-      R"(<Attribute Name="{}" AttributeType="Scalar" Center="Node"><DataItem ItemType="HyperSlab" Dimensions="{}">{}{}</DataItem></Attribute>
-)",
-      name, vertices, slab, whole);
-}
-
-/// The sounds take the place of time by their numbers, from 1 on.
-std::string xdmf_text(const std::string& file, const Radiation& radiation) {
-  const std::size_t vertices = radiation.vertices.size();
-  const std::size_t triangles = radiation.triangles.size();
-  const std::size_t sounds = radiation.sounds.size();
-  const auto item = [&](const std::string& type, int precision, const std::string& shape, const std::string& path) {
-    return fmt::format(R"(<DataItem Format="HDF" NumberType="{}" Precision="{}" Dimensions="{}">{}:{}</DataItem>)",
-                       type, precision, shape, file, path);
-  };
-  std::string text = R"(<?xml version="1.0" encoding="utf-8"?>
-<Xdmf Version="3.0">
-<Domain>
-<Grid Name="sounds" GridType="Collection" CollectionType="Temporal">
-)";
-  for (std::size_t s = 0; s < sounds; ++s) {
-    text += fmt::format(
-        R"(<Grid Name="surface" GridType="Uniform"><Time Value="{}"/>
-<Topology TopologyType="Triangle" NumberOfElements="{}">{}</Topology>
-<Geometry GeometryType="XYZ">{}</Geometry>
-)",
-        s + 1, triangles, item("Int", 4, fmt::format("{} 3", triangles), "/surface/triangles"),
-        item("Float", 8, fmt::format("{} 3", vertices), "/surface/vertices"));
-    const auto slab = [&](const std::string& numbers, const std::string& dimensions) {
-      return fmt::format(R"(<DataItem Format="XML" NumberType="Int" Dimensions="{}">{}</DataItem>)", dimensions,
-                         numbers);
-    };
-    text += attribute("amplitude", slab(fmt::format("{} 0 1 1 1 {}", s, vertices), "3 2"),
-                      item("Float", 8, fmt::format("{} {}", sounds, vertices), "/surface/amplitude"), vertices);
-    for (const int part : {0, 1}) {
-      text += attribute(part == 0 ? "real part" : "imaginary part",
-                        slab(fmt::format("{} 0 {} 1 1 1 1 {} 1", s, part, vertices), "3 3"),
-                        item("Float", 8, fmt::format("{} {} 2", sounds, vertices), "/surface/pressure"), vertices);
-    }
-    text += "</Grid>\n";
-  }
-  return text + "</Grid>\n</Domain>\n</Xdmf>\n";
-}
 
 }  // namespace
 

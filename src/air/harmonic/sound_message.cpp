@@ -1,42 +1,55 @@
 #include "sound_message.hpp"
 
-#include <array>
+#include "sound_facts.hpp"
 
 namespace idiophone::harmonic {
 
 namespace {
 
-constexpr std::array facts_of_sounds = {
-    &RadiatedSound::mean_square_velocity, &RadiatedSound::power,           &RadiatedSound::level_error,
-    &RadiatedSound::solved_vertices,      &RadiatedSound::efficiency,      &RadiatedSound::loss_factor,
-    &RadiatedSound::directivity_index,    &RadiatedSound::kirchhoff_error, &RadiatedSound::kirchhoff_worst,
-    &RadiatedSound::rayleigh_error,       &RadiatedSound::rayleigh_worst,  &RadiatedSound::waves_error,
-    &RadiatedSound::waves_worst};
+/// Calls visit(number) for each number of a sound but those of its fields.
+template <class Sound, class Visitor>
+void for_each_fact(Sound& sound, Visitor visit) {
+  for (const auto& fact : sound_facts) {
+    visit(sound.*fact.value);
+  }
+  for (const auto& fact : waves_facts) {
+    visit(sound.*fact.value);
+  }
+  visit(sound.solution.wave_number);
+  visit(sound.solution.power);
+}
+
+/// Calls visit(values) for each field of a sound.
+template <class Sound, class Visitor>
+void for_each_field(Sound& sound, Visitor visit) {
+  visit(sound.solution.pressure);
+  visit(sound.solution.normal_velocity);
+  visit(sound.listener_pressure);
+  visit(sound.far_field);
+}
 
 }  // namespace
 
 void pack(const RadiatedSound& sound, std::vector<Complex>& packed) {
-  for (const auto fact : facts_of_sounds) {
-    packed.emplace_back(sound.*fact);
-  }
-  for (const auto* field : {&sound.surface_pressure, &sound.listener_pressure, &sound.far_field}) {
-    packed.insert(packed.end(), field->begin(), field->end());
-  }
+  for_each_fact(sound, [&](double fact) { packed.emplace_back(fact); });
+  packed.emplace_back(static_cast<double>(sound.refinements));
+  for_each_field(sound, [&](const std::vector<Complex>& field) {
+    packed.emplace_back(static_cast<double>(field.size()));
+    packed.insert(packed.end(), field.begin(), field.end());
+  });
 }
 
-std::span<const Complex> unpack(std::span<const Complex> packed, const Radiation& facts, RadiatedSound& sound) {
+std::span<const Complex> unpack(std::span<const Complex> packed, RadiatedSound& sound) {
   std::size_t place = 0;
-  for (const auto fact : facts_of_sounds) {
-    sound.*fact = packed[place++].real();
-  }
-  const auto take = [&](std::vector<Complex>& field, std::size_t count) {
+  const auto number = [&] { return packed[place++].real(); };
+  for_each_fact(sound, [&](double& fact) { fact = number(); });
+  sound.refinements = static_cast<std::size_t>(number());
+  for_each_field(sound, [&](std::vector<Complex>& field) {
+    const auto count = static_cast<std::size_t>(number());
     const auto values = packed.subspan(place, count);
     field.assign(values.begin(), values.end());
     place += count;
-  };
-  take(sound.surface_pressure, facts.vertices.size());
-  take(sound.listener_pressure, facts.listener_positions.size());
-  take(sound.far_field, facts.directions.size());
+  });
   return packed.subspan(place);
 }
 

@@ -9,13 +9,11 @@
 
 namespace idiophone::harmonic {
 
-/// Appends all complex numbers of a sound, and its facts, one after the other. Name and frequency are left out.
+/// Appends all numbers of a sound, one after the other. Its name is left out.
 void pack(const RadiatedSound& sound, std::vector<Complex>& packed);
 
 /// The reverse of pack().
-/// @param facts  how many numbers the fields of the sound have
 /// @return what comes after the sound
-[[nodiscard]] std::span<const Complex> unpack(std::span<const Complex> packed, const Radiation& facts,
-                                              RadiatedSound& sound);
+[[nodiscard]] std::span<const Complex> unpack(std::span<const Complex> packed, RadiatedSound& sound);
 
 }  // namespace idiophone::harmonic

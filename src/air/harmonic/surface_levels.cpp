@@ -182,6 +182,7 @@ RefinedSolution solve_refined(SurfaceLevels& levels, double wave_number,
       solution.level_error[m] = std::abs(10.0 * std::log10(fields[m].power / solution.fields[m].power));
     }
     solution.elements = &level->elements;
+    solution.refinements = number;
     solution.fields = std::move(fields);
   }
   return solution;

@@ -62,6 +62,7 @@ class SurfaceLevels {
 /// Several motions of one frequency.
 struct RefinedSolution {
   const BoundaryElements* elements = nullptr;  ///< the finest that were needed
+  std::size_t refinements = 0;                 ///< of the surface: the number of this level
   std::vector<BoundaryField> fields;           ///< [motions] on these
   std::vector<double> level_error;             ///< [motions] estimate, dB; NaN where the surface was not refined
 };

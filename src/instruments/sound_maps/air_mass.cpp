@@ -27,6 +27,7 @@ std::size_t add_air_mass(SoundMap& map) {
     std::ranges::transform(shape, map.shape.begin() + static_cast<std::ptrdiff_t>(mode * shape.size()),
                            [](double value) { return static_cast<float>(value); });
   }
+  map.scalable.reset();  // the air does not scale with the material
   return wet.size();
 }
 

@@ -12,6 +12,7 @@
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/gather.hpp"
 #include "idiophone/foundation/parallel/reduce.hpp"
+#include "idiophone/scene/still_receivers.hpp"
 #include "sources.hpp"
 
 namespace idiophone::sound_maps {
@@ -43,20 +44,15 @@ struct Reception {
 std::vector<Reception> receptions(const scene::Acoustics& acoustics, const surface::Emission& surface) {
   const radiation::Medium air{acoustics.radiation.air.speed, acoustics.audio.rate};
   std::vector<Reception> all;
-  for (const scene::Listener& listener : acoustics.listeners) {
-    const std::size_t members = listener.head ? 1 : listener.receivers.size();
-    for (std::size_t r = 0; r < members; ++r) {
-      const scene::Receiver& receiver = listener.receivers[r];
-      Reception& reception = all.emplace_back();
-      reception.name = listener.head ? listener.name : receiver.channel;
-      reception.receiver = {.position = listener.place(receiver, 0.0).position,
-                            .axis = receiver.axis,
-                            .directivity = receiver.directivity};
-      radiation::find_paths(surface, reception.receiver, air, reception.ways.emplace_back());
-      if (const auto& floor = acoustics.radiation.floor) {
-        const radiation::ReflectingPlane plane{floor->at, floor->direction, floor->reflection};
-        radiation::find_paths(surface, radiation::image(reception.receiver, plane), air, reception.ways.emplace_back());
-      }
+  for (const scene::StillReceiver& still : scene::still_receivers(acoustics.listeners)) {
+    Reception& reception = all.emplace_back();
+    reception.name = still.name;
+    reception.receiver = {
+        .position = still.position, .axis = still.receiver->axis, .directivity = still.receiver->directivity};
+    radiation::find_paths(surface, reception.receiver, air, reception.ways.emplace_back());
+    if (const auto& floor = acoustics.radiation.floor) {
+      const radiation::ReflectingPlane plane{floor->at, floor->direction, floor->reflection};
+      radiation::find_paths(surface, radiation::image(reception.receiver, plane), air, reception.ways.emplace_back());
     }
   }
   return all;
@@ -125,6 +121,9 @@ void keep_lowest(sound_maps::SoundMap& map, std::size_t modes) {
     values->resize(std::min(values->size(), modes));  // only rank 0 has them all
   }
   map.shape.resize(modes * 3 * map.vertices.size());
+  if (map.scalable) {
+    map.scalable->lossless_frequency.resize(modes);
+  }
   map.stretching = map.stretching.of_first(modes);
 }
 

@@ -8,32 +8,19 @@
 #include "idiophone/solids/eigenmodes/compute_modal_basis.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/motion/initial_state.hpp"
+#include "solid_facts.hpp"
 
 namespace idiophone::sound_maps {
 
 namespace {
 
-void add_facts(sound_maps::SoundMap& map, const scene::Scene& scene, const scene::Body& body) {
-  const scene::Material& material = scene.materials[body.material];
-  map.name = scene.name;
-  map.body = body.name;
-  map.kind = "solid";
-  map.deck_text = scene.deck_text;
-  map.overrides = scene.overrides;
-  if (body.regions.empty()) {
-    map.material = {.name = material.name,
-                    .density = material.density,
-                    .young = material.young,
-                    .poisson = material.is_isotropic() ? material.poisson : 0.0};
-  }
-  map.air_density = scene.radiation.air.density;
-  map.air_speed = scene.radiation.air.speed;
-}
-
 void add_modes(sound_maps::SoundMap& map, const std::vector<eigenmodes::Mode>& modes, const mesh::Part& part) {
   for (const eigenmodes::Mode& mode : modes) {
     map.frequency.push_back(mode.frequency);
     map.material_decay.push_back(mode.damping_ratio * 2.0 * std::numbers::pi * mode.frequency);
+    if (map.scalable) {
+      map.scalable->lossless_frequency.push_back(mode.lossless_frequency);
+    }
     for (const Index node : part.vertices) {
       for (int axis = 0; axis < 3; ++axis) {
         map.shape.push_back(static_cast<float>(mode.shape[3 * node + axis]));
@@ -55,6 +42,9 @@ sound_maps::SoundMap solid_map(const scene::Scene& scene, std::size_t body, cons
       motion::mass_properties(motion::FiniteElementDynamics(alone, part, attachments), part);
   sound_maps::SoundMap map;
   add_facts(map, scene, scene.bodies[body]);
+  if (why_not_scalable(scene.bodies[body]).empty()) {
+    map.scalable = scalable_modes(scene, scene.bodies[body], meshes.front());
+  }
   map.mass = properties.masses.front();
   map.centre = properties.centres.front();
   map.triangles = part.surface;

@@ -17,6 +17,7 @@ class MapChecker {
   void check() const {
     check_facts();
     check_modes();
+    check_scaling();
     check_stretching();
     check_surface();
     check_listeners();
@@ -69,6 +70,19 @@ class MapChecker {
     require(std::ranges::none_of(map_.mesh_error, infinite),
             fmt::format("{} has an infinite value", sound_map::mesh_error));
     require_finite(map_.shape, 3 * map_.modes() * map_.vertices.size(), sound_map::shape);
+  }
+
+  void check_scaling() const {
+    if (!map_.scalable) {
+      return;
+    }
+    const auto& [mesh, held, stiffness, lossless] = *map_.scalable;
+    require(map_.material.has_value(), "it can be rescaled, but has no material");
+    require(stiffness.allFinite() && stiffness.norm() > 0,
+            fmt::format("{} is zero or not finite", sound_map::stiffness));
+    require_finite(lossless, map_.modes(), sound_map::lossless_frequency);
+    require(lossless.front() > 0 && std::ranges::is_sorted(lossless),
+            fmt::format("{} does not ascend from above 0", sound_map::lossless_frequency));
   }
 
   void check_stretching() const {

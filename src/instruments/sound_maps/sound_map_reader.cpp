@@ -30,6 +30,7 @@ class MapReader {
     if (hdf5::exists(file_.id(), sound_map::mesh_error)) {
       map_.mesh_error = values<double>(sound_map::mesh_error, {modes});
     }
+    read_scaling();
     read_stretching();
     read_surface();
     map_.shape = values<float>(sound_map::shape, {modes, map_.vertices.size(), 3});
@@ -100,6 +101,20 @@ class MapReader {
                                   .young = hdf5::number_of(file, "young"),
                                   .poisson = hdf5::number_of(file, "poisson")};
     }
+  }
+
+  void read_scaling() {
+    if (!hdf5::exists(file_.id(), sound_map::scaling)) {
+      return;
+    }
+    const auto group = hdf5::open_group(file_.id(), sound_map::scaling);
+    const auto stiffness = values<double>(sound_map::stiffness, {6, 6});
+    map_.scalable = ScalableModes{
+        .mesh = hdf5::text_of(group.id(), "mesh_hash"),
+        .held = hdf5::text_of(group.id(), "held"),
+        .stiffness = ScalableModes::Stiffness::Map(stiffness.data()),
+        .lossless_frequency = values<double>(sound_map::lossless_frequency, {map_.modes()}),
+    };
   }
 
   void read_stretching() {

@@ -40,6 +40,7 @@ class MapWriter {
     hdf5::put_dataset(file_.id(), sound_map::resolved_deck, {map_.resolved_deck}, MPI_COMM_SELF);
     write_facts();
     write_modes();
+    write_scaling();
     write_stretching();
     write_surface();
     write_listeners();
@@ -88,6 +89,17 @@ class MapWriter {
       write(sound_map::mesh_error, {modes}, map_.mesh_error, "cents");
     }
     write(sound_map::shape, {modes, map_.vertices.size(), 3}, map_.shape, "1/sqrt(kg)");
+  }
+
+  void write_scaling() {
+    if (const auto& scalable = map_.scalable) {
+      const auto& stiffness = scalable->stiffness.reshaped();  // symmetric, so rows are columns
+      write(sound_map::stiffness, {6, 6}, std::vector<double>(stiffness.begin(), stiffness.end()), "Pa");
+      write(sound_map::lossless_frequency, {map_.modes()}, scalable->lossless_frequency, "Hz");
+      const auto group = hdf5::open_group(file_.id(), sound_map::scaling);
+      hdf5::put(group.id(), "mesh_hash", scalable->mesh);
+      hdf5::put(group.id(), "held", scalable->held);
+    }
   }
 
   void write_stretching() {

@@ -11,6 +11,7 @@
 
 #include "eigensolver.hpp"
 #include "idiophone/foundation/parallel/reduce.hpp"
+#include "idiophone/solids/eigenmodes/material_damping.hpp"
 #include "idiophone/solids/eigenmodes/no_modes.hpp"
 #include "idiophone/solids/motion/prestress_balance.hpp"
 #include "inertia.hpp"
@@ -119,9 +120,8 @@ double mass_damping(const scene::Solids& solids, const mesh::Part& part, const m
 
 /// Sets frequency and damping from those of the lossless bodies, w. With unit modal mass their strain is worth
 /// W = w^2 - x^T S x - x^T J x, as supports' springs S and joints J strain no material, nor does the geometric
-/// stiffness of a prestress. The complex modulus M(i w) of a loss factor turns w^2 into w^2 + (M - 1) W, to first order
-/// in M - 1, and the dashpots C and the joints, with their relaxation time tau, damp besides: zeta = (alpha + beta W +
-/// Im(M) W/w + x^T C x + tau x^T J x)/(2 w). Each material has its own beta, M and share of W.
+/// stiffness of a prestress. The materials damp as damped() says; the dashpots C and the joints, with their relaxation
+/// time tau, add x^T C x + tau x^T J x to 2 zeta w. Each material has its own beta, M and share of W.
 /// @param alpha  mass-proportional damping, 1/s
 void vibrate(Mode& mode, const Eigenpair& pair, double alpha, const Operators& operators, const mesh::Part& part,
              MPI_Comm communicator) {
@@ -140,21 +140,16 @@ void vibrate(Mode& mode, const Eigenpair& pair, double alpha, const Operators& o
     in_materials -= of_joints[joint];
     damping += joints.all()[joint].damping * of_joints[joint];
   }
-  const std::vector<StrainedRegion> strained =
-      shares_of_strain(operators.dynamics(), part, pair.vector, std::max(0.0, in_materials), communicator);
-  const auto modulus = [&](const StrainedRegion& part_of_it) {
-    return part_of_it.solid->relaxation(part_of_it.region).modulus(std::sqrt(pair.value));
-  };
-  double square = pair.value;
-  for (const StrainedRegion& region : strained) {
-    square += (modulus(region).real() - 1) * region.share;
+  std::vector<MaterialStrain> materials;
+  for (const auto& [solid, region, share] :
+       shares_of_strain(operators.dynamics(), part, pair.vector, std::max(0.0, in_materials), communicator)) {
+    materials.push_back({share, solid->stiffness_damping(region), solid->relaxation(region)});
   }
-  const double w = std::sqrt(square);
+  const DampedVibration vibration = damped(pair.value, damping, materials);
+  const double w = vibration.angular_frequency;
   mode.frequency = w / angular(1.0);
-  for (const StrainedRegion& region : strained) {
-    damping += (region.solid->stiffness_damping(region.region) + modulus(region).imag() / w) * region.share;
-  }
-  mode.damping_ratio = (damping + sums[1]) / (2 * w);
+  mode.lossless_frequency = std::sqrt(pair.value) / angular(1.0);
+  mode.damping_ratio = (vibration.damping + sums[1]) / (2 * w);
   mode.decay_time = std::log(1000.0) / (decay_factor(mode.damping_ratio) * w);
 }
 

@@ -1,11 +1,10 @@
 #include "idiophone/solids/solid/solid.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <stdexcept>
 
 #include "idiophone/foundation/dense/dense.hpp"
+#include "idiophone/solids/solid/material_relaxation.hpp"
 #include "laws.hpp"
 #include "tetrahedron_kernels.hpp"
 
@@ -65,37 +64,13 @@ void with_law(const PackedElements& elements, SomeRegion& region, Visitor visit)
   }
 }
 
-Relaxation relaxation_of_loss(const scene::Damping& damping) {
-  return damping.loss ? fit_relaxation(*damping.loss) : Relaxation{};
-}
-
-/// @throws deck::DeckError where creep is not slower than all of the loss factor's mechanisms
-Relaxation find_relaxation(const scene::Damping& damping) {
-  Relaxation loss = relaxation_of_loss(damping);
-  const double creep = damping.of_vibration();
-  if (creep == 0.0) {
-    return loss;
-  }
-  for (const Relaxation::Mechanism& mechanism : loss.mechanisms) {
-    if (mechanism.rate < 2 * creep) {
-      throw deck::DeckError(
-          damping.loss->where,
-          fmt::format(
-              "with mass_of: vibration, the damping `mass` must be below half the rate of the slowest mechanism "
-              "of the loss factor, {:.4g} 1/s; it is {:.4g} 1/s. Give the loss factor a higher band",
-              mechanism.rate, creep));
-    }
-  }
-  return creeping(loss, creep);
-}
-
 }  // namespace
 
 Solid::Region::Region(const OrientedMaterial& oriented, PackRange its_packs)
     : packs(its_packs),
       beta(oriented.material.damping.stiffness),
       density(oriented.material.density),
-      relaxation(find_relaxation(oriented.material.damping)),
+      relaxation(relaxation_of(oriented.material.damping)),
       elasticity(solid::elasticity(oriented.material, oriented.axes)),
       relaxed(
           solid::elasticity(oriented.material, oriented.axes, relaxation_of_loss(oriented.material.damping).long_term)),

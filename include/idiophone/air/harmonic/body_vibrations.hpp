@@ -29,10 +29,10 @@ struct Vibration {
 [[nodiscard]] std::vector<Vibration> rigid_vibrations(std::size_t body, const std::vector<double>& frequencies,
                                                       const AcousticSurface& surface);
 
-/// The velocities of a CSV file: docs/use/radiate.md#velocities describes it.
+/// The velocities of a file: docs/use/radiate.md#velocities describes it.
 /// @return one vibration for each frequency, ascending
-/// @throws deck::DeckError if the file can't be read, a place is no vertex of the body, or a vertex has not exactly one
-/// row at each frequency
+/// @throws deck::DeckError or std::runtime_error if the file can't be read, a place is no vertex of the body, or a
+/// vertex has not exactly one row at each frequency
 [[nodiscard]] std::vector<Vibration> given_vibrations(std::size_t body, const std::filesystem::path& file,
                                                       const AcousticSurface& surface);
 

@@ -13,4 +13,16 @@ namespace idiophone::harmonic {
 /// @throws std::runtime_error if the disk does not take them
 void write_radiation(const std::filesystem::path& path, const Origin& origin, const Radiation& radiation);
 
+/// What a file has.
+struct StoredRadiation {
+  Origin origin;
+  Radiation radiation;
+};
+
+/// Reads NAME_radiation.h5 with its solutions.
+/// @throws std::runtime_error when the file can't be opened, is none of this format, has no solutions, as those of
+/// older
+///         versions, or contradicts itself
+[[nodiscard]] StoredRadiation read_radiation(const std::filesystem::path& path);
+
 }  // namespace idiophone::harmonic

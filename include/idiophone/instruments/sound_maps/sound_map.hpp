@@ -41,6 +41,17 @@ struct MapMaterial {
   double poisson = 0.0;  ///< Poisson's ratio; 0 for an orthotropic material
 };
 
+/// What the modes of a body with one material depend on, so that another map can be made of them for another density,
+/// stiffness or damping (rescaled_map.hpp).
+struct ScalableModes {
+  using Stiffness = Eigen::Matrix<double, 6, 6>;
+
+  std::string mesh;                         ///< mesh::Mesh::hash
+  std::string held;                         ///< fixed and driven groups with their axes: "rim xyz", or "nothing"
+  Stiffness stiffness = Stiffness::Zero();  ///< scene::StiffnessMatrix along the axes of the scene, Pa
+  std::vector<double> lossless_frequency;   ///< [modes] eigenmodes::Mode, Hz
+};
+
 struct SoundMap {
   std::string name;                     ///< of the deck
   std::string body;                     ///< its name in the deck
@@ -56,12 +67,13 @@ struct SoundMap {
   double air_speed = 343.0;             ///< of sound, m/s
   std::string radiation;                ///< the model, e.g. "boundary_elements", or "rayleigh" of ideal bodies
 
-  std::vector<double> frequency;        ///< [modes] without damping, Hz, ascending
-  std::vector<double> material_decay;   ///< [modes] of the amplitude, by material and supports, 1/s
-  std::vector<double> radiation_decay;  ///< [modes] of the amplitude, by the sound that is radiated, 1/s
-  std::vector<double> mesh_error;       ///< [modes] cents by which the mesh makes each frequency too high, estimated;
-                                        ///< NaN where unknown. Empty if unknown for all
-  modal_bodies::Stretching stretching;  ///< of large vibrations; none where they are taken as small
+  std::vector<double> frequency;          ///< [modes] without damping, Hz, ascending
+  std::vector<double> material_decay;     ///< [modes] of the amplitude, by material and supports, 1/s
+  std::vector<double> radiation_decay;    ///< [modes] of the amplitude, by the sound that is radiated, 1/s
+  std::vector<double> mesh_error;         ///< [modes] cents by which the mesh makes each frequency too high, estimated;
+                                          ///< NaN where unknown. Empty if unknown for all
+  std::optional<ScalableModes> scalable;  ///< none where more than one material decides, or something besides
+  modal_bodies::Stretching stretching;    ///< of large vibrations; none where they are taken as small
 
   std::vector<Vector3> vertices;                ///< of the surface, undeformed, m
   std::vector<std::array<Index, 3>> triangles;  ///< vertex numbers, in the order that makes normals point outwards

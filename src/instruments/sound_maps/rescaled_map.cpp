@@ -1,0 +1,147 @@
+#include "idiophone/instruments/sound_maps/rescaled_map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "idiophone/foundation/deck/tree.hpp"
+#include "idiophone/scene/joined_bodies.hpp"
+#include "idiophone/scene/still_receivers.hpp"
+#include "idiophone/solids/eigenmodes/material_damping.hpp"
+#include "solid_facts.hpp"
+
+namespace idiophone::sound_maps {
+
+namespace {
+
+constexpr double negligible = 1e-9;  ///< relative, of numbers that should be the same
+
+/// How much larger the new constants are.
+struct Factors {
+  double stiffness = 1.0;
+  double density = 1.0;
+
+  [[nodiscard]] double frequency() const { return std::sqrt(stiffness / density); }
+  [[nodiscard]] double shape() const { return 1.0 / std::sqrt(density); }
+};
+
+void require_same(const std::string& what, const std::string& now, const std::string& before,
+                  const std::filesystem::path& path, const scene::Body& body) {
+  if (now != before) {
+    throw deck::DeckError(
+        body.where, fmt::format("bodies.{}: {} is '{}', and '{}' in {}; make the map without --rescale", body.name,
+                                what, now, before, path.string()));
+  }
+}
+
+/// @throws deck::DeckError unless all constants have the same factor
+double stiffness_factor(const ScalableModes& now, const ScalableModes& before, const scene::Material& material,
+                        const std::filesystem::path& path) {
+  const double factor = now.stiffness.norm() / before.stiffness.norm();
+  if (!((now.stiffness - factor * before.stiffness).norm() <= negligible * now.stiffness.norm())) {
+    throw deck::DeckError(
+        material.where,
+        fmt::format(
+            "materials.{}: the elastic constants are not those of {} times one factor: Poisson's ratio, another "
+            "ratio of constants or the direction of the grain differs; make the map without --rescale",
+            material.name, path.string()));
+  }
+  return factor;
+}
+
+/// @return the body as it is now, with the old frequencies
+ScalableModes checked_modes(const SoundMap& source, const std::filesystem::path& path, const scene::Scene& scene,
+                            const scene::Body& body) {
+  scene::refuse_joints(scene, "map");
+  if (const std::string reason = why_not_scalable(body); !reason.empty()) {
+    throw deck::DeckError(body.where, fmt::format("bodies.{}: its modes can't be rescaled: {}; make the map without "
+                                                  "--rescale",
+                                                  body.name, reason));
+  }
+  if (!source.scalable) {
+    throw std::runtime_error(
+        fmt::format("{} can't be rescaled: it does not say what its modes depend on. Maps of bodies of finite elements "
+                    "say it if they have one material, no prestress, supports, mass_scaling or large_amplitudes, and "
+                    "were made without --in-air by this version or a later one",
+                    path.string()));
+  }
+  ScalableModes now = scalable_modes(scene, body, mesh::read_mesh(body));
+  require_same("its mesh", now.mesh, source.scalable->mesh, path, body);
+  require_same("what holds it", now.held, source.scalable->held, path, body);
+  return now;
+}
+
+/// A section of a resolved deck as text.
+std::string section_text(const std::string& resolved_deck, const std::string& section) {
+  deck::Mistakes mistakes;
+  const deck::Node tree = deck::read_tree(resolved_deck, "resolved deck", {}, mistakes);
+  const auto found = std::ranges::find(tree.children, section, &deck::Node::key);
+  return found == tree.children.end() ? "" : deck::resolved(*found);
+}
+
+/// Whether the same listeners stand at the same places of the same air.
+bool is_heard_alike(const SoundMap& source, const scene::Scene& scene, const std::string& resolved_deck) {
+  const auto receivers = scene::still_receivers(scene.listeners);
+  const auto same_place = [](const scene::StillReceiver& one, const MapListener& other) {
+    return one.name == other.name && one.position == other.position;
+  };
+  const auto same_section = [&](const char* section) {
+    return section_text(resolved_deck, section) == section_text(source.resolved_deck, section);
+  };
+  return std::ranges::equal(receivers, source.listeners, same_place) && same_section("listeners") &&
+         same_section("radiation");
+}
+
+bool is_same_frequency(double one, double other) {
+  return std::abs(one - other) <= negligible * other;
+}
+
+/// Of a modal velocity of amplitude 1, as it moves the surface less if the shapes are smaller.
+void scale_radiation(SoundMap& map, double shape) {
+  for (MapListener& listener : map.listeners) {
+    std::ranges::for_each(listener.pressure, [&](auto& pressure) { pressure *= shape; });
+  }
+  std::ranges::for_each(map.sphere.pressure, [&](auto& pressure) { pressure *= shape; });
+  std::ranges::for_each(map.radiation_decay, [&](double& decay) { decay *= shape * shape; });
+}
+
+void scale_modes(SoundMap& map, const Factors& factors, const scene::Damping& damping) {
+  std::vector<double>& lossless = map.scalable->lossless_frequency;
+  std::ranges::for_each(lossless, [&](double& frequency) { frequency *= factors.frequency(); });
+  const auto vibrations = eigenmodes::damped_by(damping, lossless);
+  for (std::size_t mode = 0; mode < map.modes(); ++mode) {
+    map.frequency[mode] = vibrations[mode].frequency();
+    map.material_decay[mode] = vibrations[mode].decay();
+  }
+  std::ranges::for_each(map.shape, [&](float& value) { value = static_cast<float>(value * factors.shape()); });
+}
+
+}  // namespace
+
+SoundMap rescaled_map(const SoundMap& source, const std::filesystem::path& path, const scene::Scene& scene,
+                      std::size_t body, const std::string& resolved_deck) {
+  const scene::Body& here = scene.bodies[body];
+  const scene::Material& material = scene.materials[here.material];
+  const ScalableModes now = checked_modes(source, path, scene, here);
+  const Factors factors{.stiffness = stiffness_factor(now, *source.scalable, material, path),
+                        .density = material.density / source.material->density};
+  SoundMap map = source;
+  add_facts(map, scene, here);
+  map.resolved_deck = resolved_deck;
+  map.mass *= factors.density;
+  map.scalable->stiffness = now.stiffness;
+  scale_modes(map, factors, material.damping);
+  if (is_heard_alike(source, scene, resolved_deck) &&
+      std::ranges::equal(map.frequency, source.frequency, is_same_frequency)) {
+    scale_radiation(map, factors.shape());
+  } else {
+    map.listeners.clear();
+    map.radiation_decay.clear();
+    map.sphere = {};
+  }
+  return map;
+}
+
+}  // namespace idiophone::sound_maps

@@ -1,0 +1,78 @@
+#include "solid_facts.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "idiophone/solids/solid/elasticity.hpp"
+
+namespace idiophone::sound_maps {
+
+namespace {
+
+/// Groups and the axes in which they are held, in alphabetical order: "clamp xyz, foot z"; "nothing" if there are none.
+std::string held_groups(const scene::Body& body) {
+  std::vector<std::string> groups;
+  const auto add = [&](const std::string& group, const scene::Axes& axes) {
+    std::string& text = groups.emplace_back(group + " ");
+    for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+      text += axes.at(axis) ? std::string(1, "xyz"[axis]) : "";
+    }
+  };
+  for (const scene::FixedGroup& fixed : body.fixed) {
+    add(fixed.group, fixed.axes);
+  }
+  for (const scene::DrivenGroup& driven : body.driven) {
+    add(driven.group, driven.axes);
+  }
+  std::ranges::sort(groups);
+  return groups.empty() ? "nothing" : fmt::format("{}", fmt::join(groups, ", "));
+}
+
+}  // namespace
+
+void add_facts(SoundMap& map, const scene::Scene& scene, const scene::Body& body) {
+  const scene::Material& material = scene.materials[body.material];
+  map.name = scene.name;
+  map.body = body.name;
+  map.kind = "solid";
+  map.deck_text = scene.deck_text;
+  map.overrides = scene.overrides;
+  if (body.regions.empty()) {
+    map.material = {.name = material.name,
+                    .density = material.density,
+                    .young = material.young,
+                    .poisson = material.is_isotropic() ? material.poisson : 0.0};
+  }
+  map.air_density = scene.radiation.air.density;
+  map.air_speed = scene.radiation.air.speed;
+}
+
+std::string why_not_scalable(const scene::Body& body) {
+  if (!body.regions.empty()) {
+    return "it has several materials";
+  }
+  if (body.prestress) {
+    return "it has a prestress";
+  }
+  if (!body.supports.empty()) {
+    return "it has supports, whose springs stay as stiff as they are";
+  }
+  if (body.mass_scaling) {
+    return "it has mass_scaling";
+  }
+  if (body.modal && body.modal->stretching_tolerance) {
+    return "it has large_amplitudes";
+  }
+  return "";
+}
+
+ScalableModes scalable_modes(const scene::Scene& scene, const scene::Body& body, const mesh::Mesh& mesh) {
+  return {.mesh = mesh.hash,
+          .held = held_groups(body),
+          .stiffness = solid::stiffness_matrix(solid::elasticity(scene.materials[body.material], body.material_axes())),
+          .lossless_frequency = {}};
+}
+
+}  // namespace idiophone::sound_maps
