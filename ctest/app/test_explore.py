@@ -95,6 +95,7 @@ class Explore(program.TestCase):
         job = program.idiophone("play", self.map, "--score", score, "--output", wav, "--rate", RATE)
         self.require_status(job, program.FINISHED)
         self.require_alike(wav, numpy.array(self.seen["sound"][0]))
+        self.require_alike(wav, numpy.array(self.seen["javascript"][0]))
 
     def test_a_proxy_sounds_as_proxies_has_it(self):
         score, wav = self.output / "score.yaml", self.output / "sound.wav"

@@ -20,6 +20,7 @@ listeners:
 """
 
 TOOL = {"mass": 0.05, "hardness": 1e10, "height": 1e-7, "load": 2, "size": 2e-4, "rate": 44100, "speeds": [0.2, 0.5],
+        "bow": {"speed": 0.2, "load": 10},
         "roughness": {"exponent": 1, "longest": 5e-3, "shortest": 2e-5}}
 
 
@@ -95,10 +96,26 @@ class ExplorerPage(program.TestCase):
             self.assertAlmostEqual(numpy.mean(forces[name]), TOOL["load"], places=4)
         numpy.testing.assert_allclose(forces["rest"][-100:], TOOL["load"], atol=1e-3)
 
-    def test_the_pointer_scrapes_and_rolls(self):
+    def test_a_bowed_string_sounds_at_its_lowest_mode_until_the_bow_leaves(self):
+        bowed, rate = self.stroked["bowed"], TOOL["rate"]
+        if not bowed:
+            self.skipTest("the program was built without WebAssembly")
+        sound = numpy.array(bowed["sound"])
+
+        def loudness(begin, end):
+            return numpy.sqrt(numpy.mean(sound[int(begin * rate):int(end * rate)] ** 2))
+        self.assertLess(abs(20 * numpy.log10(loudness(0.8, 1) / loudness(0.5, 0.7))), 0.5, "the string does not sing evenly")
+        steady = sound[rate // 2:rate]
+        spectrum = abs(numpy.fft.rfft(steady * numpy.hanning(len(steady)), 16 * len(steady)))
+        loudest = numpy.argmax(spectrum) * rate / (16 * len(steady))
+        self.assertLess(abs(1200 * numpy.log2(loudest / bowed["frequency"])), 10)  # cents
+        fallen = numpy.log(loudness(1.4, 1.6) / loudness(1.7, 1.9))  # by the free decay of the lowest mode
+        self.assertAlmostEqual(fallen / (0.3 * bowed["decay"]), 1, delta=0.02)
+
+    def test_the_pointer_scrapes_rolls_and_bows(self):
         self.assertEqual(self.stroked["complaints"], [])
         drags = self.stroked["drags"]
-        for name in ("scraped", "rolled"):
+        for name in drags.keys() - {"beside"}:
             self.assertGreater(drags[name]["loudest"], 1e-6, name)
             self.assertEqual(drags[name]["turned"], 0, "the room turns while the pointer scrapes")
             self.assertRegex(drags[name]["told"], r"^plate: [\d.e-]+ m/s, 1.0 N$")

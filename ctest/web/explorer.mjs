@@ -1,6 +1,6 @@
 // node explorer.mjs PAGE BLOW SCREENSHOT: opens the Sonic Explorer in Chromium without a window, strikes what is in the
-// middle by a click and by a key, as modes and as proxies at two levels, renders a blow as modes and as a proxy of level 1
-// with twice the tension, and prints what happened as JSON.
+// middle by a click and by a key, as modes and as proxies at two levels, renders a blow as modes, with and without WebAssembly,
+// and as a proxy of level 1 with twice the tension, and prints what happened as JSON.
 import {openExplorer} from "./browser.mjs";
 
 const [page_file, blow, screenshot] = process.argv.slice(2);
@@ -18,6 +18,8 @@ const mode = await page.locator("#mode-text").textContent();
 
 const sound = await page.evaluate(({blows, duration, rate}) => window.idiophone.renderOffline(blows, duration, rate),
                                   JSON.parse(blow));
+const javascript = await page.evaluate(({blows, duration, rate}) => window.idiophone.renderOffline(blows, duration, rate, null),
+                                       JSON.parse(blow));
 await page.locator("#model").selectOption("0");  // a proxy, while the modes still sound
 await page.locator("#room").press("Enter");
 await page.waitForFunction(() => window.idiophone.explorer.strikes === 3);
@@ -69,4 +71,4 @@ const narrow = await page.evaluate(() => document.documentElement.scrollWidth <=
 await page.setViewportSize({width: 1200, height: 760});
 await page.screenshot({path: screenshot});
 await browser.close();
-console.log(JSON.stringify({complaints, said, mode, sound, proxy, rate, narrow}));
+console.log(JSON.stringify({complaints, said, mode, sound, javascript, proxy, rate, narrow}));

@@ -1,6 +1,6 @@
 // node strokes.mjs PAGE TOOL SCREENSHOT: opens the Sonic Explorer in Chromium without a window; computes the force of a tool at
-// two constant speeds and at rest; scrapes and rolls over the second body with the pointer, and drags beside it. Prints what
-// happened as JSON.
+// two constant speeds and at rest; bows the first body, if the page has WebAssembly; scrapes, rolls over and bows the second body
+// with the pointer, and drags beside it. Prints what happened as JSON.
 import {openExplorer} from "./browser.mjs";
 
 const [page_file, tool, screenshot] = process.argv.slice(2);
@@ -15,6 +15,23 @@ const forces = await page.evaluate(given => {
     return [...force.next(duration * given.rate)];
   };
   return {slow: during(given.speeds[0], 2), fast: during(given.speeds[1], 2), rest: during(0, 0.1)};
+}, JSON.parse(tool));
+
+const bowed = await page.evaluate(({rate, bow}) => {  // for a second at a seventh of the length, and a second more
+  if (!compiledBytes) return null;
+  const [string] = window.idiophone.bodies, {low, high} = boundsOf([string]);
+  const modes = new CompiledModes(compiledCode(compiledBytes), tuningOf(string), rate);
+  const over = [low[0] + (high[0] - low[0]) / 7, (low[1] + high[1]) / 2, 1], sound = [];
+  const participation = participationOf(string, hit(string, over, [0, 0, -1]), [0, 0, 1]);
+  const listen = end => {
+    for (let block; sound.length < end; sound.push(...block)) [block] = modes.render(sound.length, 128);
+  };
+  modes.putBow(1, participation);
+  modes.leadBow(1, bow, participation);
+  listen(rate);
+  modes.liftBow(1);
+  listen(2 * rate);
+  return {frequency: string.frequency[0], decay: decayOf(string, 0), sound};
 }, JSON.parse(tool));
 
 /// Drags the pointer over the second body or beside all; what is heard on the way, and by how much the room turns.
@@ -54,6 +71,10 @@ drags.scraped = await drag(way);
 await page.screenshot({path: screenshot});
 await page.locator("#pointer").selectOption("roll");
 drags.rolled = await drag(way);
+if (bowed) {
+  await page.locator("#pointer").selectOption("bow");
+  drags.bowed = await drag(way);
+}
 drags.beside = await drag([[5, 5], [60, 5]]);
 await browser.close();
-console.log(JSON.stringify({complaints, forces, loads, drags}));
+console.log(JSON.stringify({complaints, forces, bowed, loads, drags}));

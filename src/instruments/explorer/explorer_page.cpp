@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "explorer_page_files.hpp"
+#include "explorer_webassembly.hpp"
 #include "idiophone/foundation/web/web_page.hpp"
 #include "proxy_data.hpp"
 
@@ -116,6 +117,7 @@ std::string page(std::span<const sound_maps::SoundMap> maps, double shortest_del
   json data = surroundings_of(maps);
   data["bodies"] = json::array();
   data["shortest_delay"] = shortest_delay;
+  data["webassembly"] = web::base64(std::as_bytes(std::span(webassembly)));
   for (std::size_t body = 0; body < maps.size(); ++body) {
     json& added = data["bodies"].emplace_back(body_of(maps[body]));
     for (std::size_t level = 0; body < proxies.size() && level < proxies[body].size(); ++level) {

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "idiophone/instruments/resonators/damped_oscillator.hpp"
-#include "idiophone/instruments/score/score.hpp"
+#include "idiophone/instruments/score/action.hpp"
 
 namespace idiophone::resonators {
 

@@ -1,10 +1,10 @@
-// What the numbers of a score mean. No decks: the library for engines has this file, too.
+// What the numbers of an action mean. No decks: the library for engines has this file, too.
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "idiophone/instruments/score/score.hpp"
+#include "idiophone/instruments/score/action.hpp"
 
 namespace idiophone::score {
 

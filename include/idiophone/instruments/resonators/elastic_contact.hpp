@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "idiophone/instruments/resonators/contact.hpp"
-#include "idiophone/instruments/score/score.hpp"
+#include "idiophone/instruments/score/action.hpp"
 
 namespace idiophone::resonators {
 

@@ -5,8 +5,8 @@
 #include <functional>
 #include <vector>
 
-#include "idiophone/instruments/resonators/point_forces.hpp"
-#include "idiophone/instruments/score/score.hpp"
+#include "idiophone/instruments/resonators/force_piece.hpp"
+#include "idiophone/instruments/score/action.hpp"
 
 namespace idiophone::resonators {
 

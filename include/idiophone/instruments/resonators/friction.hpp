@@ -1,7 +1,7 @@
 #pragma once
 // Friction with memory between two surfaces that touch: bristles bend before they slide.
 
-#include "idiophone/instruments/score/score.hpp"
+#include "idiophone/instruments/score/action.hpp"
 
 namespace idiophone::resonators {
 

@@ -8,8 +8,8 @@
 #include <span>
 #include <vector>
 
+#include "idiophone/instruments/resonators/force_piece.hpp"
 #include "idiophone/instruments/resonators/mode_group.hpp"
-#include "idiophone/instruments/resonators/point_forces.hpp"
 #include "idiophone/instruments/resonators/stretched_modes.hpp"
 
 namespace idiophone::resonators {

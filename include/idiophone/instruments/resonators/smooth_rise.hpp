@@ -2,7 +2,7 @@
 // How fast a force rises. Modes far above its frequencies follow it without a sound (docs/method/sound_map.md).
 
 #include "idiophone/instruments/resonators/damped_oscillator.hpp"
-#include "idiophone/instruments/resonators/point_forces.hpp"
+#include "idiophone/instruments/resonators/force_piece.hpp"
 
 namespace idiophone::resonators {
 

@@ -1,17 +1,27 @@
 // The sound of the page: the graph of Web Audio that renders it, live and without a sound card.
 
-const workletText = ["sound-code", "stroke-code", "bodies-code", "proxies-code", "resonators-code", "meter-code"].map(
-  id => document.getElementById(id).textContent).join("\n");
+const workletText = ["sound", "stroke", "bodies", "proxies", "modes", "compiled-modes", "bowing", "resonators", "meter"].map(
+  name => document.getElementById(`${name}-code`).textContent).join("\n");
+
+/// What the build made of src/instruments/page_sound, or null.
+const compiledBytes = page.webassembly ? decoded(page.webassembly, Uint8Array) : null;
 
 /// A node of Web Audio whose output is the pressure in pascals.
-/// @param blows  {body, start in audio samples, force, participation}
-async function resonatorsIn(context, blows) {
+/// @param blows        {body, start in audio samples, force, participation}
+/// @param webassembly  null: JavaScript computes the modes
+async function resonatorsIn(context, blows, webassembly = compiledBytes) {
   // Not a blob: a page that is opened as a file may not load one here.
   await context.audioWorklet.addModule("data:text/javascript;charset=utf-8," + encodeURIComponent(workletText));
   return new AudioWorkletNode(context, "resonators", {
     numberOfInputs: 0,
     outputChannelCount: [page.listeners.length],
-    processorOptions: {tunings: bodies.map(tuningOf), proxies: bodies.map(proxyOf), blows, shortestDelay: page.shortest_delay},
+    processorOptions: {
+      webassembly,
+      tunings: bodies.map(tuningOf),
+      proxies: bodies.map(proxyOf),
+      blows,
+      shortestDelay: page.shortest_delay,
+    },
   });
 }
 
@@ -33,12 +43,12 @@ function blowOn(index, point, hammer, rate) {
 
 /// Pressure of blows at the listener's channels, Pa, without a sound card.
 /// @param blows  {time in s, body, origin and direction of a ray that meets its surface, hammer}
-async function renderOffline(blows, duration, rate) {
+async function renderOffline(blows, duration, rate, webassembly = compiledBytes) {
   const context = new OfflineAudioContext(page.listeners.length, Math.round(duration * rate), rate);
   const node = await resonatorsIn(context, blows.map(({time, body, origin, direction, hammer}) => ({
     ...blowOn(body, hit(bodies[body], origin, unit(direction)), hammer, rate),
     start: Math.round(time * rate),
-  })));
+  })), webassembly);
   node.connect(context.destination);
   const sound = await context.startRendering();
   return page.listeners.map((_, channel) => Array.from(sound.getChannelData(channel)));

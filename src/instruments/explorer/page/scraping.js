@@ -1,4 +1,4 @@
-// The pointer as a tool that scrapes or a ball that rolls over a body. Mass and hardness are those of the hammer.
+// The pointer as a tool that scrapes, a ball that rolls, or a bow that rubs a body. Mass and hardness are those of the hammer.
 
 const contactSize = {scrape: 1e-4, roll: 2e-4};  // m
 const roughness = {exponent: 1, longest: 5e-3, shortest: 2e-5};
@@ -10,6 +10,7 @@ class Scraping {
     this.strokes = new Map();  // by pointer: body, place and time of the last news
     for (const id of ["load", "roughness", "grip"]) element(id).oninput = () => this.showNumbers();
     element("pointer").onchange = () => this.showNumbers();
+    if (!compiledBytes) element("pointer").querySelector("[value=bow]").remove();
     this.showNumbers();
   }
 
@@ -23,6 +24,7 @@ class Scraping {
     this.height = read("roughness");
     this.grip = Number(element("grip").value);
     element("stroke").hidden = this.kind === "strike";
+    element("roughness").parentElement.hidden = this.kind === "bow";
     element("grip").parentElement.hidden = this.kind !== "scrape";
     element("load-text").textContent = `${this.load.toPrecision(2)} N`;
     element("roughness-text").textContent = `${(1e6 * this.height).toPrecision(2)} µm`;
@@ -39,23 +41,27 @@ class Scraping {
   }
 
   async start({pointerId, pointerType, pressure}, {body, point}) {
-    const {explorer, kind} = this, {mass, hardness} = explorer.hammer();
+    const {explorer, kind} = this, {level} = bodies[body];
     explorer.choose(body);
-    profiles[kind] ??= profileOf(roughness, contactSize[kind]);
-    const tool = {mass, hardness, height: this.height, profile: profiles[kind]};
-    const news = {load: this.loadOf(pointerType, pressure), speed: 0, shares: this.sharesAt(body, point, [0, 0, 0])};
+    if (kind === "bow" && level !== null) return tell("Only modes can be bowed: choose them under What sounds.");
+    const news = {load: this.loadOf(pointerType, pressure), speed: 0, shares: this.sharesAt(kind, body, point)};
     await explorer.sound.start();
     if (!this.strokes.has(pointerId)) return;  // lifted off before the sound began
-    explorer.sound.send({stroke: {id: pointerId, body, level: bodies[body].level, tool, news}});
+    explorer.sound.send({stroke: {id: pointerId, kind, body, level, tool: kind === "bow" ? null : this.tool(kind), news}});
+  }
+
+  tool(kind) {
+    const {mass, hardness} = this.explorer.hammer();
+    profiles[kind] ??= profileOf(roughness, contactSize[kind]);
+    return {mass, hardness, height: this.height, profile: profiles[kind]};
   }
 
   move({pointerId, pointerType, pressure, timeStamp}, [x, y]) {
     const stroke = this.strokes.get(pointerId), seen = pick(this.explorer.view, x, y);
     if (!stroke || seen?.body !== stroke.body || timeStamp <= stroke.time) return;
     const way = minus(seen.point.place, stroke.place), length = Math.hypot(...way), speed = 1000 * length / (timeStamp - stroke.time);
-    const drag = stroke.kind === "scrape" && length > 0 ? scaled(way, this.grip / length) : [0, 0, 0];
     Object.assign(stroke, {place: seen.point.place, time: timeStamp});
-    const news = {load: this.loadOf(pointerType, pressure), speed, shares: this.sharesAt(stroke.body, seen.point, drag)};
+    const news = {load: this.loadOf(pointerType, pressure), speed, shares: this.sharesAt(stroke.kind, stroke.body, seen.point, way)};
     this.explorer.sound.send({follow: {id: pointerId, news}});
     element("blow").textContent = `${bodies[stroke.body].name}: ${speed.toPrecision(2)} m/s, ${news.load.toPrecision(2)} N`;
   }
@@ -69,10 +75,13 @@ class Scraping {
     return pointerType === "mouse" || !pressure ? this.load : 2 * pressure * this.load;
   }
 
-  /// Shares of the modes or masses in a force of 1 N inwards, and of friction along the way.
-  sharesAt(index, point, drag) {
-    const body = bodies[index], direction = drag.map((part, axis) => part - point.normal[axis]);
-    return body.level === null ? {participation: participationOf(body, point, direction)}
-                               : {loads: loadsOn(body.proxies[body.level], point.place, direction)};
+  /// Shares of the modes or masses in a force of 1 N: on a tool inwards, and of friction along the way; of a bow, which goes at right
+  /// angles to the surface as over its edge.
+  sharesAt(kind, index, point, way = [0, 0, 0]) {
+    const body = bodies[index], length = Math.hypot(...way);
+    const drag = kind === "scrape" && length > 0 ? scaled(way, this.grip / length) : [0, 0, 0];
+    const direction = kind === "bow" ? point.normal : minus(drag, point.normal);
+    return body.level === null || kind === "bow" ? {participation: participationOf(body, point, direction)}
+                                                 : {loads: loadsOn(body.proxies[body.level], point.place, direction)};
   }
 }

@@ -1,0 +1,72 @@
+"use strict";
+// The modes of a body by the program's own C++, which src/instruments/page_sound/exports.cpp shows to this file. It
+// runs in the page and in the audio thread.
+
+/// The functions of the C++. All bodies of a thread share them.
+/// @param bytes  of the WebAssembly
+function compiledCode(bytes) {
+  const {exports} = new WebAssembly.Instance(new WebAssembly.Module(bytes));
+  exports._initialize();
+  return exports;
+}
+
+/// As Modes, and bows can touch them.
+class CompiledModes {
+  /// @param code    compiledCode()
+  /// @param tuning  as of Modes
+  constructor(code, tuning, rate) {
+    this.code = code;
+    this.modes = tuning.frequency.length;
+    this.channels = tuning.pressure.length;
+    this.body = code.make_body(this.modes, this.channels, rate);
+    this.tune(tuning);
+  }
+
+  /// The list through which numbers go to the C++ and back.
+  numbers(length) {
+    const place = this.code.exchange(length);  // may enlarge the memory, which then is another buffer
+    return new Float64Array(this.code.memory.buffer, place, length);
+  }
+
+  give(...lists) {
+    const numbers = this.numbers(lists.reduce((sum, {length}) => sum + length, 0));
+    lists.reduce((at, list) => {
+      numbers.set(list, at);
+      return at + list.length;
+    }, 0);
+  }
+
+  tune({frequency, decay, pressure}) {
+    this.give(frequency, decay, ...pressure);
+    this.code.tune(this.body, this.modes, this.channels);
+  }
+
+  strike({start, force: {mean, slope, begin}, participation}) {
+    this.give(participation, mean, slope, begin);
+    this.code.strike(this.body, this.modes, start, mean.length);
+  }
+
+  /// A bow begins to touch the body, but neither moves nor presses yet.
+  /// @param bow  a number that no other bow of the body has
+  putBow(bow, participation) {
+    this.give(participation);
+    this.code.put_bow(this.body, this.modes, bow);
+  }
+
+  /// It gets there in 20 ms.
+  leadBow(bow, {speed, load}, participation) {
+    this.give(participation);
+    this.code.lead_bow(this.body, this.modes, bow, speed, load);
+  }
+
+  liftBow(bow) {
+    this.code.lift_bow(this.body, bow);
+  }
+
+  render(first, samples) {
+    if (!this.code.render(this.body, this.channels, first, samples)) return null;
+    const sound = this.numbers(samples * this.channels);
+    return Array.from({length: this.channels}, (_, channel) =>
+      Float64Array.from({length: samples}, (_unused, i) => sound[i * this.channels + channel]));
+  }
+}
