@@ -2,6 +2,7 @@
 // The bodies of a stage: where they are, and the forces that reach them.
 
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "contact_sounds.hpp"
