@@ -8,7 +8,7 @@ HOME = pathlib.Path(__file__).resolve().parents[2]
 LIST = (HOME / "LICENSES/MIT_files.txt").read_text().splitlines()
 OWN = re.compile(r'^\s*#include "([^"]+)"', re.MULTILINE)
 OUTSIDE = re.compile(r"^\s*#include <([^>]+)>", re.MULTILINE)
-ALLOWED = re.compile(r"Eigen/|fmt/|std\w+\.h$")  # beside the headers of C++, which have no dot and no folder
+ALLOWED = re.compile(r"(unsupported/)?Eigen/|fmt/|std\w+\.h$")  # beside the headers of C++, which have no dot and no folder
 
 
 def closure(files):

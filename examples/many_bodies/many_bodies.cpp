@@ -48,9 +48,10 @@ class Pit {
     }
   }
 
+  void move() { dynamics_.stepSimulation(1.0 / steps_per_second, 1, 1.0 / steps_per_second); }
+
   /// Tells the stage where the bodies are and how they touch.
-  void step(engines::EngineStage& stage) {
-    dynamics_.stepSimulation(1.0 / steps_per_second, 1, 1.0 / steps_per_second);
+  void tell(engines::EngineStage& stage) {
     for (const btRigidBody& body : bodies_) {
       if (body.getUserIndex() >= 0) {
         const btTransform& place = body.getWorldTransform();
@@ -114,8 +115,12 @@ class Pit {
   std::vector<btVector3> centres_;
 };
 
-double processor_time() {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+/// Adds the processor time of some work to a sum, s.
+template <class Work>
+void measure(double& sum, const Work& work) {
+  const std::clock_t begin = std::clock();
+  work();
+  sum += static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
 int fall(SNDFILE* file, int count, double seconds, double budget, const std::vector<engines::SharedMap>& maps) {
@@ -128,23 +133,20 @@ int fall(SNDFILE* file, int count, double seconds, double budget, const std::vec
                              bodies, {body, wood});
   Pit pit(maps, count);
   std::vector<float> sound(frames * channels);
-  double audio = 0.0, control = 0.0;
-  std::printf("second  sounding  heard/modes  cost  measured  control  loss/dB  strokes  impacts  left out\n");
+  double bullet = 0.0, control = 0.0, audio = 0.0;
+  std::printf("second  sounding  heard/modes  cost  render  step  Bullet  loss/dB  strokes  impacts  left out\n");
   for (int step = 1; step <= seconds * steps_per_second; ++step) {
-    const double begin = processor_time();
-    pit.step(stage);
-    const double middle = processor_time();
-    stage.render(sound, full_scale);
-    control += middle - begin;
-    audio += processor_time() - middle;
+    measure(bullet, [&] { pit.move(); });
+    measure(control, [&] { pit.tell(stage); });
+    measure(audio, [&] { stage.render(sound, full_scale); });
     sf_writef_float(file, sound.data(), frames);
     if (step % steps_per_second == 0) {
       const engines::StageReport report = stage.report();
-      std::printf("%6d  %8zu  %5zu/%5zu  %4.2f  %8.2f  %7.2f  %7.1f  %7zu  %7ju  %8ju\n", step / steps_per_second,
-                  report.sounding, report.heard, report.modes, report.cost, audio, control,
-                  10.0 * std::log10(std::max(report.loss, 1e-12)), report.strokes,
+      std::printf("%6d  %8zu  %5zu/%5zu  %4.2f  %6.2f  %4.2f  %6.2f  %7.1f  %7zu  %7ju  %8ju\n",
+                  step / steps_per_second, report.sounding, report.heard, report.modes, report.cost, audio, control,
+                  bullet, 10.0 * std::log10(std::max(report.loss, 1e-12)), report.strokes,
                   static_cast<std::uintmax_t>(report.impacts), static_cast<std::uintmax_t>(report.left_out));
-      audio = control = 0.0;
+      bullet = control = audio = 0.0;
     }
   }
   return 0;

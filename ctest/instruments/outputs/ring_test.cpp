@@ -9,7 +9,7 @@ namespace idiophone::outputs {
 
 TEST(Ring, HandsItemsOverInOrderBetweenThreads) {
   constexpr int count = 20000;
-  Ring<std::unique_ptr<int>, 16> ring;
+  Ring<std::unique_ptr<int>> ring(16);
   std::thread putting([&] {
     for (int i = 0; i < count; ++i) {
       auto item = std::make_unique<int>(i);
@@ -32,7 +32,7 @@ TEST(Ring, HandsItemsOverInOrderBetweenThreads) {
 }
 
 TEST(Ring, LeavesAnItemAloneWhenItIsFull) {
-  Ring<std::unique_ptr<int>, 2> ring;
+  Ring<std::unique_ptr<int>> ring(2);
   for (int i = 0; i < 2; ++i) {
     auto item = std::make_unique<int>(i);
     EXPECT_TRUE(ring.put(item));

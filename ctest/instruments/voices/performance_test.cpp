@@ -11,7 +11,6 @@
 #include "idiophone/instruments/drivers/osc.hpp"
 #include "idiophone/instruments/resonators/force.hpp"
 #include "idiophone/instruments/sound_maps/blow.hpp"
-#include "instrument.hpp"
 #include "sheet_map.hpp"
 #include "sound_power.hpp"
 
@@ -294,20 +293,6 @@ TEST(Performance, HearsWithAHead) {
   const std::vector<double> moving = play(score, 9000);
   EXPECT_NE(moving, std::vector(sound.begin(), sound.begin() + 18000));
   EXPECT_EQ(play(score, 9000, 100), moving);
-}
-
-TEST(WeightsInDirection, AreExactForSphericalHarmonics) {
-  const sound_maps::MapSphere sphere = sheet().sphere;
-  const Vector3 direction = Vector3(0.3, -0.5, 0.7).normalized();
-  const auto harmonic = [](const Vector3& at) {
-    return 1.0 + at.x() * at.y() * at.z() + at.z() * at.z() - 0.4 * at.x();
-  };
-  const std::vector<double> weights = weights_in_direction(sphere, direction);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    sum += weights[i] * harmonic(sphere.direction[i]);
-  }
-  EXPECT_NEAR(sum, harmonic(direction), 1e-12);
 }
 
 }  // namespace idiophone::voices

@@ -17,7 +17,7 @@ namespace idiophone::drivers {
 struct JackMidi::Client {
   jack_client_t* jack = nullptr;
   jack_port_t* port = nullptr;
-  outputs::Ring<MidiMessage, 1024> messages;
+  outputs::Ring<MidiMessage> messages{1024};
   std::atomic<std::size_t> lost{0};
 
   /// In a thread of JACK, which must not wait.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "idiophone/instruments/resonators/force.hpp"
 #include "surface_pair.hpp"
@@ -32,11 +33,6 @@ ContactSounds::ContactSounds(std::vector<Surface> surfaces, std::vector<double> 
       rate_(rate),
       most_strokes_(most_strokes),
       random_(seed) {}
-
-std::size_t ContactSounds::strokes() const {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(contacts_, [](const auto& entry) { return entry.second.stroke.has_value(); }));
-}
 
 /// Of both bodies as one that hits a wall: their turning is left out.
 double ContactSounds::mass_of(const ContactEvent& event) const {
@@ -100,7 +96,8 @@ void ContactSounds::add_impact(const Contact& contact, double impulse, std::vect
                     .force = {.start = start_ + std::llround(share * duration_ * rate_),
                               .at = vector_of(event.point),
                               .direction = vector_of(event.normal),
-                              .force = resonators::sampled(force, pulse.duration, rate_)}});
+                              .force = resonators::sampled(force, pulse.duration, rate_)},
+                    .impulse = impulse});
   ++impacts_;
 }
 
@@ -117,7 +114,7 @@ void ContactSounds::lead_stroke(Contact& contact, double load) {
     contact.is_refused = false;
     return;
   }
-  if (strokes() >= most_strokes_) {
+  if (strokes_ >= most_strokes_) {
     left_out_ += contact.is_refused ? 0 : 1;
     contact.is_refused = true;
     return;
@@ -128,10 +125,11 @@ void ContactSounds::lead_stroke(Contact& contact, double load) {
   stroke.speed = speed;
   stroke.load = load;
   contact.stroke.emplace(stroke, random_(), rate_, start_);
+  ++strokes_;
 }
 
 /// All pieces that begin before the step is over. Friction acts against the slip.
-void ContactSounds::add_stroke(Contact& contact, std::vector<ContactForce>& forces) const {
+void ContactSounds::add_stroke(Contact& contact, std::vector<ContactForce>& forces) {
   if (!contact.stroke) {
     return;
   }
@@ -146,10 +144,12 @@ void ContactSounds::add_stroke(Contact& contact, std::vector<ContactForce>& forc
                       .force = {.start = piece.start,
                                 .at = vector_of(event.point),
                                 .direction = vector_of(event.normal) - drag,
-                                .force = std::move(piece.force)}});
+                                .force = std::move(piece.force)},
+                      .impulse = std::numeric_limits<double>::infinity()});
   }
   if (contact.stroke->is_over()) {
     contact.stroke.reset();
+    --strokes_;
   }
 }
 

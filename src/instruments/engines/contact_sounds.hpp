@@ -17,6 +17,7 @@ namespace idiophone::engines {
 struct ContactForce {
   std::array<std::int32_t, 2> bodies{};
   resonators::PointForce force;  ///< in the world
+  double impulse = 0.0;          ///< of an impact, N s; infinite for a stroke, which lasts
 };
 
 class ContactSounds {
@@ -32,7 +33,7 @@ class ContactSounds {
   [[nodiscard]] std::vector<ContactForce> step(std::span<const ContactEvent> events, std::int64_t start,
                                                double duration);
 
-  [[nodiscard]] std::size_t strokes() const;
+  [[nodiscard]] std::size_t strokes() const { return strokes_; }
   [[nodiscard]] std::uint64_t impacts() const { return impacts_; }
   [[nodiscard]] std::uint64_t left_out() const { return left_out_; }
 
@@ -47,7 +48,7 @@ class ContactSounds {
   void gather(std::span<const ContactEvent> events);
   void add_impact(const Contact& contact, double impulse, std::vector<ContactForce>& forces);
   void lead_stroke(Contact& contact, double load);
-  void add_stroke(Contact& contact, std::vector<ContactForce>& forces) const;
+  void add_stroke(Contact& contact, std::vector<ContactForce>& forces);
 
   std::vector<Surface> surfaces_;
   std::vector<double> masses_;
@@ -57,6 +58,7 @@ class ContactSounds {
   std::map<std::uint64_t, Contact> contacts_;
   std::int64_t start_ = 0;  // audio sample of the step
   double duration_ = 0.0;   // of the step, s
+  std::size_t strokes_ = 0;
   std::uint64_t impacts_ = 0, left_out_ = 0;
 };
 

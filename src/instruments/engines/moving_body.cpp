@@ -10,13 +10,18 @@ namespace idiophone::engines {
 
 namespace {
 
-constexpr double silence = 11.5;          // nepers: 100 dB
-constexpr double longest_sound = 3600.0;  // s
+constexpr double silence = 11.5;            // nepers: 100 dB
+constexpr double longest_sound = 3600.0;    // s
+constexpr double nearest = 0.01;            // m, of an ear
+constexpr double unheard_tolerance = 0.01;  // of the distance of an ear
 
 }  // namespace
 
-MovingBody::MovingBody(const sound_maps::SoundMap& map, std::span<const Vector3> ears, int rate)
-    : centre_(map.centre), farthest_(0.98 * voices::longest_way * map.air_speed), known_(ears.begin(), ears.end()) {
+MovingBody::MovingBody(const sound_maps::SoundMap& map, double loudness, std::span<const Vector3> ears, int rate)
+    : centre_(map.centre),
+      loudness_(loudness),
+      farthest_(0.98 * voices::longest_way * map.air_speed),
+      known_(ears.begin(), ears.end()) {
   double slowest = map.decay(0);
   for (std::size_t mode = 1; mode < map.modes(); ++mode) {
     slowest = std::min(slowest, map.decay(mode));
@@ -36,6 +41,14 @@ resonators::PointForce MovingBody::in_body(const resonators::PointForce& force) 
   return turned;
 }
 
+double MovingBody::loudness(double impulse, std::span<const Vector3> ears) const {
+  double distance = farthest_;
+  for (const Vector3& ear : ears) {
+    distance = std::min(distance, (to_body_ * ear - centre_).norm());
+  }
+  return impulse * loudness_ / std::max(distance, nearest);
+}
+
 void MovingBody::sound_until(std::int64_t sample) {
   silent_from_ = std::max(silent_from_, sample + ringing_);
 }
@@ -50,14 +63,21 @@ std::vector<voices::HearingPoint> MovingBody::points(std::span<const Vector3> ea
   return points;
 }
 
+bool MovingBody::is_near(const voices::HearingPoint& point, const Vector3& known, double tolerance) const {
+  return (point.position - known).norm() <= tolerance * (known - centre_).norm();
+}
+
 std::optional<voices::ListenerPlace> MovingBody::follow(std::span<const Vector3> ears, std::int64_t start,
-                                                        std::int64_t length, bool begins) {
+                                                        std::int64_t length, Part part) {
   const bool sounds = start < silent_from_;
-  if (!sounds && !begins) {
+  if (!sounds && part != Part::struck) {
     return {};
   }
   voices::ListenerPlace place{.start = start, .length = sounds ? length : 1, .points = points(ears)};
-  if (std::ranges::equal(place.points, known_, {}, &voices::HearingPoint::position)) {
+  const double tolerance = part == Part::unheard ? unheard_tolerance : 0.0;
+  if (std::ranges::equal(place.points, known_, [&](const voices::HearingPoint& point, const Vector3& known) {
+        return is_near(point, known, tolerance);
+      })) {
     return {};
   }
   std::ranges::transform(place.points, known_.begin(), &voices::HearingPoint::position);

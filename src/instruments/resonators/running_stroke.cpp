@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include "contact_spring.hpp"
 
@@ -11,17 +12,22 @@ namespace idiophone::resonators {
 
 namespace {
 
-constexpr std::size_t wave_count = 128;  // evenly spaced in the logarithm of their lengths, some 16 an octave
+constexpr std::size_t wave_count =
+    32 * lane_count;  // evenly spaced in the logarithm of their lengths, some 16 an octave
 constexpr double full_turn = 2.0 * std::numbers::pi;
 
-/// Force of a wave, N; none for waves that pass faster than the rate can hold.
-Complex force_of_wave(const score::Stroke& stroke, double speed, double load, double wave_number, int rate) {
-  const double angular = wave_number * speed;
-  if (load <= 0.0 || angular >= std::numbers::pi * rate) {
-    return 0.0;
+/// A complex number in each lane.
+struct ComplexLanes {
+  Lanes4 real{}, imaginary{};
+
+  void set(std::size_t lane, const Complex& value) {
+    real[lane] = value.real();
+    imaginary[lane] = value.imag();
   }
-  return ContactSpring(stroke, load).force(angular, wave_number);
-}
+  ComplexLanes operator*(const ComplexLanes& other) const {
+    return {real * other.real - imaginary * other.imaginary, real * other.imaginary + imaginary * other.real};
+  }
+};
 
 }  // namespace
 
@@ -41,6 +47,7 @@ RunningStroke::RunningStroke(const score::Stroke& stroke, std::uint64_t seed, in
   for (Wave& wave : waves_) {
     wave.height *= rough.height / std::sqrt(power);
   }
+  forces_ = forces_at(now_);
 }
 
 void RunningStroke::change(double speed, double load) {
@@ -52,22 +59,47 @@ void RunningStroke::end() {
   wanted_.load = 0.0;
 }
 
-void RunningStroke::add_wave(Wave& wave, const Motion& next, std::vector<double>& force) const {
-  constexpr double share = 1.0 / block;
-  const auto gain = [&](const Motion& at) {
-    return wave.height * force_of_wave(stroke_, at.speed, at.load, wave.number, rate_);
-  };
-  const Complex first = gain(now_), change = share * (gain(next) - first);
-  const double first_step = wave.number * now_.speed / rate_, last_step = wave.number * next.speed / rate_;
-  const double growth = share * (last_step - first_step);
-  Complex state = std::polar(1.0, wave.phase), step = std::polar(1.0, first_step + 0.5 * growth);
-  const Complex faster = std::polar(1.0, growth);
-  for (std::size_t n = 0; n <= block; ++n) {
-    force[n] += ((first + static_cast<double>(n) * change) * state).real();
-    state *= step;
-    step *= faster;
+std::vector<Complex> RunningStroke::forces_at(const Motion& motion) const {
+  std::vector<Complex> forces(waves_.size());
+  if (motion.load <= 0.0) {
+    return forces;
   }
-  wave.phase = std::fmod(wave.phase + 0.5 * block * (first_step + last_step), full_turn);
+  const ContactSpring spring(stroke_, motion.load);
+  for (std::size_t i = 0; i < waves_.size(); ++i) {
+    const double angular = waves_[i].number * motion.speed;
+    if (angular < std::numbers::pi * rate_) {
+      forces[i] = waves_[i].height * spring.force(angular, waves_[i].number);
+    }
+  }
+  return forces;
+}
+
+/// A lane is a wave.
+void RunningStroke::add_waves(std::size_t number, const Motion& next, std::span<const Complex> forces,
+                              std::vector<double>& sum) {
+  constexpr double share = 1.0 / block;
+  ComplexLanes first, change, state, step, faster;
+  for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    Wave& wave = waves_[number + lane];
+    const double first_step = wave.number * now_.speed / rate_, last_step = wave.number * next.speed / rate_;
+    const double growth = share * (last_step - first_step);
+    first.set(lane, forces_[number + lane]);
+    change.set(lane, share * (forces[number + lane] - forces_[number + lane]));
+    state.set(lane, std::polar(1.0, wave.phase));
+    step.set(lane, std::polar(1.0, first_step + 0.5 * growth));
+    faster.set(lane, std::polar(1.0, growth));
+    wave.phase = std::fmod(wave.phase + 0.5 * block * (first_step + last_step), full_turn);
+  }
+  for (std::size_t n = 0; n <= block; ++n) {
+    const auto passed = static_cast<double>(n);
+    const ComplexLanes amplitude{first.real + passed * change.real, first.imaginary + passed * change.imaginary};
+    const Lanes4 force = amplitude.real * state.real - amplitude.imaginary * state.imaginary;
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      sum[n] += force[lane];
+    }
+    state = state * step;
+    step = step * faster;
+  }
 }
 
 PointForce RunningStroke::at_place() const {
@@ -81,9 +113,11 @@ PointForce RunningStroke::at_place() const {
 std::vector<PointForce> RunningStroke::next(std::int64_t start) {
   const Motion then = wanted_;
   std::vector<double> force(block + 1);
-  for (Wave& wave : waves_) {
-    add_wave(wave, then, force);
+  std::vector<Complex> forces = forces_at(then);
+  for (std::size_t number = 0; number < waves_.size(); number += lane_count) {
+    add_waves(number, then, forces, force);
   }
+  forces_ = std::move(forces);
   PointForce first = at_place();
   way_ = std::fmod(way_ + 0.5 * (now_.speed + then.speed) * block / rate_, 2.0 * (stroke_.to - stroke_.from).norm());
   PointForce last = at_place();

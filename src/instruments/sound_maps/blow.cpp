@@ -3,9 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "idiophone/solids/mesh/triangle_point.hpp"
 #include "resonances.hpp"
 
 namespace idiophone::sound_maps {
@@ -13,27 +11,6 @@ namespace idiophone::sound_maps {
 namespace {
 
 using Complex = std::complex<double>;
-
-/// A point of a triangle.
-struct SurfacePoint {
-  std::size_t triangle = 0;
-  Vector3 weights = Vector3::Zero();  ///< of its three corners
-  double distance = std::numeric_limits<double>::infinity();
-};
-
-SurfacePoint nearest_point(const sound_maps::SoundMap& map, const Vector3& p) {
-  SurfacePoint nearest;
-  for (std::size_t t = 0; t < map.triangles.size(); ++t) {
-    const auto& [i, j, k] = map.triangles[t];
-    const mesh::TrianglePoints corners = {map.vertices[i], map.vertices[j], map.vertices[k]};
-    const Vector3 weights = mesh::nearest_weights(corners, p);
-    const double distance = (mesh::at_weights(corners, weights) - p).norm();
-    if (distance < nearest.distance) {
-      nearest = {t, weights, distance};
-    }
-  }
-  return nearest;
-}
 
 /// The force of a blow as a listener meets it: sampled finely, from the audio sample before the first one heard on.
 struct SampledForce {
@@ -90,8 +67,7 @@ void take_following(std::vector<double>& sound, const Following& following, cons
 
 }  // namespace
 
-std::vector<double> participation(const sound_maps::SoundMap& map, const Vector3& at, const Vector3& direction) {
-  const SurfacePoint point = nearest_point(map, at);
+std::vector<double> participation(const SoundMap& map, const SurfacePoint& point, const Vector3& direction) {
   std::vector<double> participations;
   for (std::size_t mode = 0; mode < map.modes(); ++mode) {
     const std::span<const float> shape = map.shape_of(mode);
@@ -104,6 +80,10 @@ std::vector<double> participation(const sound_maps::SoundMap& map, const Vector3
     participations.push_back(sum);
   }
   return participations;
+}
+
+std::vector<double> participation(const SoundMap& map, const Vector3& at, const Vector3& direction) {
+  return participation(map, nearest_point(map, at), direction);
 }
 
 Vector3 inward_normal(const sound_maps::SoundMap& map, const Vector3& at) {

@@ -31,13 +31,20 @@ bool ContactGroup::is_idle() const {
          std::ranges::all_of(stage_contacts_, [](const StageContact& one) { return one.contact->is_at_rest(); });
 }
 
-void ContactGroup::render(std::span<double> sound, std::int64_t clock) {
-  for (Player* player : players_) {
-    player->begin_piece(clock);
+bool ContactGroup::is_called() const {
+  return std::ranges::any_of(players_, &Player::is_called);
+}
+
+void ContactGroup::render(std::span<double> sound, std::int64_t begin, std::int64_t clock) {
+  if (sleeps_ && !is_called()) {
+    return;
   }
-  const std::int64_t begin = players_.front()->now();
+  for (Player* player : players_) {
+    player->begin_piece(begin, clock);
+  }
+  sleeps_ = is_idle();
   const std::int64_t end = begin + static_cast<std::int64_t>(sound.size() / channels_);
-  for (std::int64_t sample = is_idle() ? end : begin; sample < end;) {
+  for (std::int64_t sample = sleeps_ ? end : begin; sample < end;) {
     std::int64_t next = end;
     for (Player* player : players_) {
       player->begin_and_end_due(sample);
@@ -46,9 +53,6 @@ void ContactGroup::render(std::span<double> sound, std::int64_t clock) {
     const auto offset = static_cast<std::size_t>(sample - begin);
     render_samples(sample, sound.subspan(offset * channels_, static_cast<std::size_t>(next - sample) * channels_));
     sample = next;
-  }
-  for (Player* player : players_) {
-    player->end_piece(end);
   }
 }
 

@@ -31,16 +31,19 @@ class ContactGroup {
   ContactGroup(std::vector<Player*> players, std::vector<StageContact> contacts, std::size_t channels, int rate);
 
   /// The next piece of all bodies. Realtime-safe. The parameters are those of SoundMapVoices::render().
-  void render(std::span<double> sound, std::int64_t clock);
+  /// @param begin  audio sample of the piece
+  void render(std::span<double> sound, std::int64_t begin, std::int64_t clock);
 
  private:
   [[nodiscard]] bool is_idle() const;
+  [[nodiscard]] bool is_called() const;
   void render_samples(std::int64_t sample, std::span<double> sound);
 
   std::vector<Player*> players_;
   std::vector<StageContact> stage_contacts_;
   std::size_t channels_;
   resonators::PointContacts contacts_;                 // those of the stage, and those that come and go
+  bool sleeps_ = false;                                // idle since its last piece began
   std::vector<resonators::BodyInContact> in_contact_;  // [players] in the present samples
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -11,13 +10,12 @@
 #include "idiophone/instruments/resonators/mallet.hpp"
 #include "idiophone/instruments/resonators/smooth_rise.hpp"
 #include "idiophone/instruments/sound_maps/blow.hpp"
+#include "map_directivity.hpp"
 
 namespace idiophone::voices {
 
-Instrument::Instrument(std::shared_ptr<const sound_maps::SoundMap> map, int rate) : map_(std::move(map)), rate_(rate) {
-  for (const Vector3& vertex : map_->vertices) {
-    radius_ = std::max(radius_, (vertex - map_->centre).norm());
-  }
+Instrument::Instrument(std::shared_ptr<const PreparedMap> prepared, int rate)
+    : prepared_(std::move(prepared)), rate_(rate) {
   tune({});
 }
 
@@ -31,9 +29,9 @@ void Instrument::tune(const score::Tuning& tuning) {
   size_ = tuning.size;
   resonators_.clear();
   lowest_ = 0.0;
-  for (std::size_t mode = 0; mode < map_->modes(); ++mode) {
-    const double frequency = map_->frequency[mode] / size_;
-    const double decay = (tuning.friction * map_->material_decay[mode] + map_->radiation_decay[mode]) / size_;
+  for (std::size_t mode = 0; mode < map().modes(); ++mode) {
+    const double frequency = map().frequency[mode] / size_;
+    const double decay = (tuning.friction * map().material_decay[mode] + map().radiation_decay[mode]) / size_;
     const resonators::DampedOscillator oscillator(frequency, decay);
     const bool sounds = frequency < 0.5 * rate_ && oscillator.damped > slowest_mode;
     resonators_.push_back(sounds ? resonators::Resonator(oscillator, rate_) : resonators::Resonator());
@@ -49,11 +47,11 @@ std::size_t Instrument::modes() const {
 }
 
 resonators::ResonatorBank Instrument::bank() const {
-  const modal_bodies::Stretching& stretching = map_->stretching;
+  const modal_bodies::Stretching& stretching = map().stretching;
   if (!stretching.exists()) {
     return resonators::ResonatorBank(turns());
   }
-  resonators::StretchingEnergy energy(stretching.linear, stretching.quadratic, map_->modes());
+  resonators::StretchingEnergy energy(stretching.linear, stretching.quadratic, map().modes());
   return resonators::ResonatorBank(
       turns(), resonators::StretchedModes(std::move(energy), resonators::in_groups(turns()), rate_));
 }
@@ -67,7 +65,7 @@ std::vector<resonators::Complex> Instrument::turns() const {
 }
 
 std::vector<double> Instrument::participation(const Vector3& at, const Vector3& direction) const {
-  std::vector<double> participation = sound_maps::participation(*map_, at, direction);
+  std::vector<double> participation = sound_maps::participation(map(), prepared_->surface.nearest(at), direction);
   for (double& phi : participation) {
     phi *= std::pow(size_, -1.5);
   }
@@ -85,7 +83,7 @@ std::unique_ptr<ForceCommand> Instrument::excite(const Vector3& at, const Vector
   auto excitation = std::make_unique<ForceCommand>();
   excitation->acts_for = static_cast<std::int64_t>(force.size());
   for (const resonators::ForcePiece& piece : force) {
-    excitation->strength += std::abs(piece.mean) * direction.norm() / (rate_ * map_->mass);
+    excitation->strength += std::abs(piece.mean) * direction.norm() / (rate_ * map().mass);
   }
   excitation->force = std::move(force);
   if (lowest_ > 0.0) {
@@ -113,7 +111,7 @@ resonators::ContactPoint Instrument::contact_point(const Vector3& at, const Vect
 
 void Instrument::require_modes() const {
   if (lowest_ == 0.0) {
-    throw std::runtime_error(map_->body + " has no mode that sounds at this rate, so nothing can touch it");
+    throw std::runtime_error(map().body + " has no mode that sounds at this rate, so nothing can touch it");
   }
 }
 
@@ -129,7 +127,7 @@ std::unique_ptr<TouchCommand> Instrument::touch(const score::Bow& bow) const {
   constexpr std::int64_t endless = std::numeric_limits<std::int64_t>::max() / 4;
   std::unique_ptr<TouchCommand> command = touch_at(bow.at, bow.direction);
   command->length = std::isfinite(bow.duration) ? std::llround(bow.duration * rate_) : endless;
-  command->strength = bow.load.largest() * bow.friction.sliding * std::min(bow.duration, 1.0) / map_->mass;
+  command->strength = bow.load.largest() * bow.friction.sliding * std::min(bow.duration, 1.0) / map().mass;
   command->contact = std::make_unique<resonators::Bow>(bow, rate_);
   return command;
 }
@@ -139,7 +137,7 @@ std::unique_ptr<TouchCommand> Instrument::touch(const score::MalletBlow& mallet)
   const double longest = std::max(0.25, 4.0 * hammer.contact_duration());  // s, until it has left for good
   std::unique_ptr<TouchCommand> command = touch_at(mallet.blow.at, mallet.blow.direction);
   command->length = std::llround(longest * rate_);
-  command->strength = 2.0 * hammer.mass * hammer.speed / map_->mass;
+  command->strength = 2.0 * hammer.mass * hammer.speed / map().mass;
   command->contact = std::make_unique<resonators::Mallet>(hammer, mallet.loss, rate_);
   return command;
 }
@@ -163,7 +161,7 @@ Reception Instrument::reception(std::span<const std::vector<resonators::Complex>
 Reception Instrument::at_listeners() const {
   std::vector<std::vector<resonators::Complex>> pressure;
   std::vector<double> delay;
-  for (const sound_maps::MapListener& listener : map_->listeners) {
+  for (const sound_maps::MapListener& listener : map().listeners) {
     pressure.push_back(listener.pressure);
     delay.push_back(listener.delay);
   }
@@ -171,41 +169,20 @@ Reception Instrument::at_listeners() const {
 }
 
 Reception Instrument::at(std::span<const HearingPoint> points) const {
-  const sound_maps::MapSphere& sphere = map_->sphere;
   std::vector<std::vector<resonators::Complex>> pressure;
   std::vector<double> delay;
   for (const HearingPoint& point : points) {
-    const Vector3 way = point.position - map_->centre;
-    const double distance = std::max(way.norm(), size_ * radius_);
+    const Vector3 way = point.position - map().centre;
+    const double distance = std::max(way.norm(), size_ * prepared_->radius);
     const Vector3 direction = way.norm() > 0.0 ? Vector3(way.normalized()) : Vector3::UnitZ();
     const double sensitivity = 1.0 - point.directivity - point.directivity * direction.dot(point.axis);
-    const std::vector<double> weights = weights_in_direction(sphere, direction);
-    std::vector<resonators::Complex>& heard = pressure.emplace_back();
-    for (std::size_t mode = 0; mode < map_->modes(); ++mode) {
-      resonators::Complex sum = 0.0;
-      for (std::size_t i = 0; i < weights.size(); ++i) {
-        sum += weights[i] * sphere.pressure[mode * weights.size() + i];
-      }
-      heard.push_back(sensitivity * sphere.distance / distance * sum);
+    std::vector<resonators::Complex>& heard = pressure.emplace_back(pressure_in_direction(map(), direction));
+    for (resonators::Complex& mode : heard) {
+      mode *= sensitivity * map().sphere.distance / distance;
     }
-    delay.push_back(distance / map_->air_speed);
+    delay.push_back(distance / map().air_speed);
   }
   return reception(pressure, delay);
-}
-
-std::vector<double> weights_in_direction(const sound_maps::MapSphere& sphere, const Vector3& direction) {
-  std::vector<double> weights;
-  for (std::size_t i = 0; i < sphere.direction.size(); ++i) {
-    const double cosine = direction.dot(sphere.direction[i]);
-    double before = 0.0, polynomial = 1.0, sum = 0.0;  // Legendre's
-    for (std::size_t degree = 0; degree < sphere.rings; ++degree) {
-      const auto l = static_cast<double>(degree);
-      sum += (2.0 * l + 1.0) / (4.0 * std::numbers::pi) * polynomial;
-      before = std::exchange(polynomial, ((2.0 * l + 1.0) * cosine * polynomial - l * before) / (l + 1.0));
-    }
-    weights.push_back(sphere.weight[i] * sum);
-  }
-  return weights;
 }
 
 }  // namespace idiophone::voices

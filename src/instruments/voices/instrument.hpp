@@ -10,20 +10,21 @@
 #include "idiophone/instruments/score/score.hpp"
 #include "idiophone/instruments/sound_maps/sound_map.hpp"
 #include "idiophone/instruments/voices/audience.hpp"
+#include "prepared_map.hpp"
 
 namespace idiophone::voices {
 
 class Instrument {
  public:
   /// Modes from half of the rate on, and those that do not oscillate or take an hour for it, are silent.
-  Instrument(std::shared_ptr<const sound_maps::SoundMap> map, int rate);
+  Instrument(std::shared_ptr<const PreparedMap> prepared, int rate);
 
   /// Changes size and internal friction of the body. A body of the same material that is s times as long has
   /// frequencies and decay rates 1/s times as high, shapes of modes s^(-3/2) times as large, and pressures s^(-1/2)
   /// times as large.
   void tune(const score::Tuning& tuning);
 
-  [[nodiscard]] const sound_maps::SoundMap& map() const { return *map_; }
+  [[nodiscard]] const sound_maps::SoundMap& map() const { return *prepared_->map; }
   [[nodiscard]] int rate() const { return rate_; }
   /// That are not silent.
   [[nodiscard]] std::size_t modes() const;
@@ -67,18 +68,11 @@ class Instrument {
   /// Without the contact and its length.
   [[nodiscard]] std::unique_ptr<TouchCommand> touch_at(const Vector3& at, const Vector3& direction) const;
 
-  std::shared_ptr<const sound_maps::SoundMap> map_;
+  std::shared_ptr<const PreparedMap> prepared_;
   int rate_;
   double size_ = 1.0;                              // times the lengths of the map
   std::vector<resonators::Resonator> resonators_;  // [modes of the map]
   double lowest_ = 0.0;                            // angular frequency of the modes that sound, rad/s; 0 without any
-  double radius_ = 0.0;                            // of the farthest vertex of the map from the centre, m
 };
-
-/// Weights of a sphere's directions whose weighted sum is the value in one direction: exact for spherical harmonics
-/// below the degree `rings` (hyperinterpolation; I. H. Sloan, J. Approx. Theory 83, 1995).
-/// @param direction  unit vector
-/// @return [directions]
-[[nodiscard]] std::vector<double> weights_in_direction(const sound_maps::MapSphere& sphere, const Vector3& direction);
 
 }  // namespace idiophone::voices

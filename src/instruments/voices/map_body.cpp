@@ -17,14 +17,14 @@ constexpr std::size_t most_queued = 4096;
 
 }  // namespace
 
-MapBody::MapBody(std::shared_ptr<const sound_maps::SoundMap> map, const Audience& audience,
-                 std::vector<HearingPoint> points, int rate, double behind)
+MapBody::MapBody(std::shared_ptr<const PreparedMap> map, const Audience& audience, std::vector<HearingPoint> points,
+                 int rate, const MapDetail& detail)
     : instrument_(std::move(map), rate),
       audience_(audience),
       points_(std::move(points)),
-      behind_(behind),
+      behind_(detail.behind),
       player_(MappedSound(instrument_.bank(), audience.receivers(), first_reception(), rate), audience.receivers(),
-              rate) {}
+              rate, detail.most_commands) {}
 
 /// Where the listener is or goes, or at the listeners of the map without points.
 Reception MapBody::reception() const {

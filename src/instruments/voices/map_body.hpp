@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "idiophone/instruments/voices/audience.hpp"
+#include "idiophone/instruments/voices/map_detail.hpp"
 #include "idiophone/instruments/voices/voice.hpp"
 #include "instrument.hpp"
 #include "player.hpp"
@@ -17,9 +18,8 @@ class MapBody {
  public:
   /// @param points  none: at the listeners of the map
   /// @throws std::runtime_error when it is too far away
-  /// @param behind  MapDetail::behind
-  MapBody(std::shared_ptr<const sound_maps::SoundMap> map, const Audience& audience, std::vector<HearingPoint> points,
-          int rate, double behind);
+  MapBody(std::shared_ptr<const PreparedMap> map, const Audience& audience, std::vector<HearingPoint> points, int rate,
+          const MapDetail& detail);
 
   [[nodiscard]] const sound_maps::SoundMap& map() const { return instrument_.map(); }
 

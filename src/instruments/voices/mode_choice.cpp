@@ -82,8 +82,7 @@ void ModeChoice::measure(Player& player, std::size_t body) {
   player.measure(std::span(power_).subspan(part.first * modes_in_group, part.groups * modes_in_group));
   if (part.is_driven) {
     std::fill_n(heard_.begin() + static_cast<std::ptrdiff_t>(part.first), part.groups, 1);
-    part.cost = body_cost_ + static_cast<double>(part.groups) * driven_group_cost_ +
-                static_cast<double>(player.sound().stretching_operations()) * stretching_cost_;
+    part.cost = cost_of_driven(body) + static_cast<double>(player.sound().stretching_operations()) * stretching_cost_;
     cost_ += part.cost;
     return;
   }
@@ -156,6 +155,7 @@ MapChoice ModeChoice::apply(std::span<const std::unique_ptr<MapBody>> bodies) {
   double left_out = 0.0;
   for (std::size_t body = 0; body < bodies.size(); ++body) {
     const Part& part = parts_[body];
+    bodies[body]->player().set_heard(!part.sounds || part.cost > 0.0);
     if (!part.sounds) {
       continue;
     }

@@ -28,6 +28,11 @@ class ModeChoice {
   /// From the next choice on.
   void set_budget(double budget);
 
+  /// Of a body on which forces act, without what its stretching costs: processor time per time of sound. Any thread.
+  [[nodiscard]] double cost_of_driven(std::size_t body) const {
+    return body_cost_ + static_cast<double>(parts_[body].groups) * driven_group_cost_;
+  }
+
   /// Whether the budget has or had a limit, so that something may be unheard.
   [[nodiscard]] bool is_limited() const { return is_limited_; }
 

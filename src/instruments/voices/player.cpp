@@ -22,8 +22,13 @@ std::int64_t start_of(const Command& command) {
 
 }  // namespace
 
-Player::Player(MappedSound sound, std::size_t receivers, int rate)
-    : sound_(std::move(sound)), receivers_(receivers), rate_(rate) {
+Player::Player(MappedSound sound, std::size_t receivers, int rate, std::size_t most_commands)
+    : sound_(std::move(sound)),
+      receivers_(receivers),
+      rate_(rate),
+      incoming_(most_commands),
+      done_(most_commands),
+      most_commands_(most_commands) {
   waiting_.reserve(most_commands);
   acting_.reserve(most_commands);
   touches_.reserve(resonators::PointContacts::most);
@@ -31,7 +36,7 @@ Player::Player(MappedSound sound, std::size_t receivers, int rate)
 }
 
 bool Player::send(Command& command) {
-  if (outstanding_ == most_commands || !incoming_.put(command)) {
+  if (outstanding_ == most_commands_ || !incoming_.put(command)) {
     return false;
   }
   ++outstanding_;
@@ -52,7 +57,7 @@ Waits Player::waits() const {
 }
 
 void Player::hand_back(Command command) {
-  done_.put(command);  // there is room: no more than most_commands are outstanding
+  done_.put(command);  // there is room: no more than most_commands_ are outstanding
 }
 
 void Player::begin(std::unique_ptr<ForceCommand> excitation, std::int64_t sample) {
@@ -193,12 +198,12 @@ void Player::join(resonators::PointContacts& contacts, std::size_t body, bool to
   touches_something_ = touches;
 }
 
-void Player::begin_piece(std::int64_t clock) {
+void Player::begin_piece(std::int64_t begin, std::int64_t clock) {
   for (Command command; incoming_.take(command);) {
     waiting_.push_back(std::move(command));
   }
   clock_ = clock;
-  block_start_ = now();
+  block_start_ = begin;
   sound_.begin_piece();
 }
 

@@ -17,19 +17,14 @@ namespace idiophone::voices {
 
 class Player {
  public:
-  /// Commands that can be on their way, waiting or acting at once.
-  static constexpr std::size_t most_commands = 1024;
-
-  Player(MappedSound sound, std::size_t receivers, int rate);
+  /// @param most_commands  MapDetail::most_commands
+  Player(MappedSound sound, std::size_t receivers, int rate, std::size_t most_commands);
 
   /// Control thread: sends a command and leaves null. Leaves it alone and returns false if there are too many.
   bool send(Command& command);
 
   /// Control thread: frees the commands that are done.
   void collect();
-
-  /// The audio sample that comes next. Any thread.
-  [[nodiscard]] std::int64_t now() const { return now_.load(std::memory_order_acquire); }
 
   /// Once, before the first piece.
   /// @param contacts  of the bodies that touch each other
@@ -42,8 +37,12 @@ class Player {
   // The audio thread's part in the next piece. The numbers do not depend on how the samples are divided into pieces, if
   // commands arrive before their time.
 
+  /// @param begin  audio sample
   /// @param clock  ns of the steady clock at the start of the piece; to measure delays
-  void begin_piece(std::int64_t clock);
+  void begin_piece(std::int64_t begin, std::int64_t clock);
+
+  /// Whether commands have come since the last piece began.
+  [[nodiscard]] bool is_called() const { return !incoming_.is_empty(); }
 
   /// Whether nothing is done or heard in the piece, unless what touches the body wakes it.
   [[nodiscard]] bool is_idle() const { return waiting_.empty() && !is_driven() && sound_.is_silent(); }
@@ -57,8 +56,6 @@ class Player {
   void render(std::int64_t sample, std::span<double> sound);
   [[nodiscard]] resonators::BodyInContact begin_contact(std::int64_t sample, std::size_t samples);
   void end_contact(std::int64_t sample, std::span<double> sound) { sound_.end_contact(sample, sound); }
-
-  void end_piece(std::int64_t end) { now_.store(end, std::memory_order_release); }
 
   // The audio thread's part in the choice of what is heard.
 
@@ -79,6 +76,10 @@ class Player {
   void measure(std::span<double> power) { sound_.measure(power); }
   void choose(std::span<const char> heard, std::size_t fade) { sound_.choose(heard, fade); }
 
+  /// Whether the body was silent, or anything of it was chosen to be heard, at the last choice. Any thread.
+  [[nodiscard]] bool is_heard() const { return is_heard_.load(std::memory_order_relaxed); }
+  void set_heard(bool is_heard) { is_heard_.store(is_heard, std::memory_order_relaxed); }
+
   /// Any thread: times between ForceCommand::sent and the audio sample at which the force began.
   [[nodiscard]] Waits waits() const;
 
@@ -98,10 +99,11 @@ class Player {
   MappedSound sound_;
   std::size_t receivers_;
   int rate_;
-  outputs::Ring<Command, most_commands> incoming_, done_;
+  outputs::Ring<Command> incoming_, done_;
+  std::size_t most_commands_;
   std::size_t outstanding_ = 0;  // control thread: sent and not collected
-  std::atomic<std::int64_t> now_{0};
   std::atomic<std::int64_t> measured_waits_{0}, total_wait_{0}, longest_wait_{0};  // ns
+  std::atomic<bool> is_heard_{true};
   // of the audio thread
   double own_priority_ = 0.0;
   double strength_ = 0.0;                               // of the strongest force since the body was silent, N s/kg

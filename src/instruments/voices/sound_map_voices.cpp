@@ -19,9 +19,9 @@ SoundMapVoices::SoundMapVoices(const std::vector<std::shared_ptr<const sound_map
       rate_(rate),
       arrivals_(audience.has_head() ? 0 : channels_, Arrivals(longest_way * rate)) {
   const std::vector<HearingPoint> points = audience.is_fixed() ? std::vector<HearingPoint>{} : audience.points(0.0);
-  for (const auto& map : maps) {
-    names_.push_back(map->body);
-    bodies_.push_back(std::make_unique<MapBody>(map, audience, points, rate, detail.behind));
+  for (const auto& one : prepared(maps)) {
+    names_.push_back(one->map->body);
+    bodies_.push_back(std::make_unique<MapBody>(one, audience, points, rate, detail));
     bodies_.back()->player().set_priority(1.0 - static_cast<double>(bodies_.size()));
   }
   groups_ = contact_groups(bodies_, contacts, channels_, rate);
@@ -82,6 +82,14 @@ void SoundMapVoices::set_budget(double budget, std::int64_t start) {
   set_detail(0, detail, start);
 }
 
+double SoundMapVoices::cost_of_driven(std::size_t body) const {
+  return choice_->cost_of_driven(body);
+}
+
+bool SoundMapVoices::is_heard(std::size_t body) const {
+  return bodies_[body]->player().is_heard();
+}
+
 std::vector<MapChoice> SoundMapVoices::take_choices() {
   attend();
   return std::exchange(told_, {});
@@ -129,7 +137,7 @@ void SoundMapVoices::render(std::span<double> sound, std::int64_t clock) {
       choose();
     }
     for (const auto& group : groups_) {
-      group->render(piece, clock + (now_ - begin) * 1'000'000'000 / rate_);
+      group->render(piece, now_, clock + (now_ - begin) * 1'000'000'000 / rate_);
     }
     send(samples);
     for (std::size_t r = 0; r < arrivals_.size(); ++r) {

@@ -44,7 +44,8 @@ struct StageOptions {
   double latency = 0.02;                                    ///< s, by which sound follows contacts at least
   double budget = std::numeric_limits<double>::infinity();  ///< processor time per time of sound; what is less
                                                             ///< audible is left out
-  std::size_t most_strokes = 16;                            ///< contacts that scrape or roll at once
+  std::size_t most_strokes = 16;                            ///< contacts that scrape or roll at once; fewer if
+                                                            ///< they would cost over a quarter of the budget
   std::uint64_t seed = 1;                                   ///< of roughness and of unknown moments
 };
 
@@ -57,7 +58,8 @@ struct StageReport {
   double loss = 0.0;           ///< share of the power that is left out
   std::size_t strokes = 0;     ///< contacts that scrape or roll
   std::uint64_t impacts = 0;   ///< so far
-  std::uint64_t left_out = 0;  ///< strokes for which there was no room, and contacts while nobody rendered, so far
+  std::uint64_t left_out = 0;  ///< strokes and forces for which there was no room, and contacts while nobody
+                               ///< rendered, so far
 };
 
 /// Sound maps that contacts excite. One thread calls render(), another one all else.

@@ -1,26 +1,34 @@
 #pragma once
 // A queue from one thread to one other, without locks.
 
-#include <array>
 #include <atomic>
 #include <cstddef>
 #include <utility>
+#include <vector>
 
 namespace idiophone::outputs {
 
 /// One thread puts, one other takes. Neither waits or allocates.
-template <class Item, std::size_t capacity>
+template <class Item>
 class Ring {
  public:
+  /// @param capacity  items that it holds at once, at least one
+  explicit Ring(std::size_t capacity) : items_(capacity) {}
+
   /// Leaves the item alone and returns false if the ring is full.
   bool put(Item& item) {
     const std::size_t end = end_.load(std::memory_order_relaxed);
-    if (end - begin_.load(std::memory_order_acquire) == capacity) {
+    if (end - begin_.load(std::memory_order_acquire) == items_.size()) {
       return false;
     }
-    items_[end % capacity] = std::move(item);
+    items_[end % items_.size()] = std::move(item);
     end_.store(end + 1, std::memory_order_release);
     return true;
+  }
+
+  /// For the thread that takes.
+  [[nodiscard]] bool is_empty() const {
+    return begin_.load(std::memory_order_relaxed) == end_.load(std::memory_order_acquire);
   }
 
   /// False if the ring is empty.
@@ -29,14 +37,14 @@ class Ring {
     if (begin == end_.load(std::memory_order_acquire)) {
       return false;
     }
-    item = std::move(items_[begin % capacity]);
+    item = std::move(items_[begin % items_.size()]);
     begin_.store(begin + 1, std::memory_order_release);
     return true;
   }
 
  private:
   static constexpr std::size_t cache_line = 64;
-  std::array<Item, capacity> items_{};
+  std::vector<Item> items_;
   alignas(cache_line) std::atomic<std::size_t> begin_{0};  // items taken so far
   alignas(cache_line) std::atomic<std::size_t> end_{0};    // items put so far
 };

@@ -2,8 +2,11 @@
 // Scraping and rolling while somebody leads the tool: its speed and its load change as time goes on.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
+#include "idiophone/foundation/lanes.hpp"
+#include "idiophone/instruments/resonators/damped_oscillator.hpp"
 #include "idiophone/instruments/resonators/point_forces.hpp"
 
 namespace idiophone::resonators {
@@ -42,13 +45,17 @@ class RunningStroke {
     double speed, load;  ///< m/s, N
   };
 
-  void add_wave(Wave& wave, const Motion& next, std::vector<double>& force) const;
+  /// Forces of the waves, N; none for waves that pass faster than the rate can hold.
+  [[nodiscard]] std::vector<Complex> forces_at(const Motion& motion) const;
+  /// Adds some waves to the force in the next block. @param number  of the first one
+  void add_waves(std::size_t number, const Motion& next, std::span<const Complex> forces, std::vector<double>& sum);
   /// Where the contact is, and the force there for a normal force of 1. Start and curve are left out.
   [[nodiscard]] PointForce at_place() const;
 
   score::Stroke stroke_;
   int rate_;
   std::vector<Wave> waves_;
+  std::vector<Complex> forces_;  // of the waves now, N
   Motion now_{}, wanted_{};
   double way_ = 0.0;  // from `from` to `to` and back again, m
   bool ends_ = false;

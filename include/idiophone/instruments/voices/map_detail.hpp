@@ -18,7 +18,8 @@ struct MapDetail {
   proxies::Priority priority = proxies::Priority::distance;  ///< of the bodies
   double behind = 1.0;                                       ///< as EngineOptions::behind
   std::shared_ptr<SharedBudget> shared{};                    ///< with proxies, if there are any
-  bool masking = true;  ///< modes that others hide are left out first; false: the weakest modes of a body
+  std::size_t most_commands = 1024;  ///< to a body that can be on their way, waiting or acting at once
+  bool masking = true;               ///< modes that others hide are left out first; false: the weakest modes of a body
 };
 
 /// What was chosen for an interval of MapChoice::interval audio samples.

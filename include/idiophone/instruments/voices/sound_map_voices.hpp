@@ -51,6 +51,12 @@ class SoundMapVoices : public Voice {
   [[nodiscard]] VoiceReport report() const override;
   void render(std::span<double> sound, std::int64_t clock) override;
 
+  /// What a body costs while forces act on it, as it is estimated: processor time per time of sound.
+  [[nodiscard]] double cost_of_driven(std::size_t body) const;
+
+  /// Whether a body was silent, or anything of it was chosen to be heard, at the last choice.
+  [[nodiscard]] bool is_heard(std::size_t body) const;
+
   /// What was chosen since the last call, by the control thread. The newest are lost if attend() is not called for
   /// long.
   [[nodiscard]] std::vector<MapChoice> take_choices();
@@ -74,8 +80,8 @@ class SoundMapVoices : public Voice {
   int rate_;
   std::deque<DetailChange> queued_;  // not sent yet
   std::vector<MapChoice> told_;      // choices that were not taken
-  outputs::Ring<DetailChange, most_changes> incoming_;
-  outputs::Ring<MapChoice, 4096> choices_;
+  outputs::Ring<DetailChange> incoming_{most_changes};
+  outputs::Ring<MapChoice> choices_{4096};
   // of the audio thread
   std::unique_ptr<ModeChoice> choice_;
   std::vector<DetailChange> changes_;     // that are not due, in the order of their arrival

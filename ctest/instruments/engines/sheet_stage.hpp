@@ -1,0 +1,39 @@
+#pragma once
+// Stages of sheets, and what is done on them.
+
+#include <vector>
+
+#include "idiophone/instruments/engines/engine_stage.hpp"
+#include "sheet_map.hpp"
+
+namespace idiophone::engines {
+
+inline constexpr int rate = 48000, frames = 800;
+inline constexpr double duration = static_cast<double>(frames) / rate;
+inline const Surface steel;
+
+inline SharedMap sheet_map() {
+  return std::make_shared<const sound_maps::SoundMap>(sound_maps::sheet());
+}
+
+inline StageOptions options(double latency = 0.0) {
+  return {.rate = rate, .ears = {{0.1, 0.3, 0.8}}, .latency = latency};
+}
+
+inline ContactEvent blow() {
+  return {.point = {0.06, 0.03, 0.0}, .normal = {0, 0, -1}, .impulse = 0.02, .mass = 0.01, .moment = 0.25};
+}
+
+/// What follows a step of the physics.
+inline std::vector<double> heard(EngineStage& stage, int steps = 1) {
+  std::vector<double> sound;
+  for (int i = 0; i < steps; ++i) {
+    stage.step(duration);
+    std::vector<double> block(frames * stage.channels());
+    stage.render(block);
+    sound.insert(sound.end(), block.begin(), block.end());
+  }
+  return sound;
+}
+
+}  // namespace idiophone::engines

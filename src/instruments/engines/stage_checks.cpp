@@ -1,0 +1,94 @@
+#include "stage_checks.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "surface_pair.hpp"
+#include "vectors.hpp"
+
+namespace idiophone::engines {
+
+namespace {
+
+constexpr std::size_t most_channels = 4;
+constexpr double largest = 1e6;      // of any number of an event
+constexpr double least_mass = 1e-9;  // kg
+
+bool is_finite(std::span<const double> numbers) {
+  return std::ranges::all_of(numbers, [](double number) { return std::abs(number) <= largest; });
+}
+
+}  // namespace
+
+void require(bool good, const std::string& problem) {
+  if (!good) {
+    throw std::runtime_error(problem);
+  }
+}
+
+void require(bool good, const char* problem) {
+  if (!good) {
+    throw std::runtime_error(problem);
+  }
+}
+
+StageOptions checked(StageOptions options) {
+  require(options.rate >= 8000 && options.rate <= 384000, "the rate has to be from 8000 to 384000 1/s");
+  require(!options.ears.empty() && options.ears.size() <= most_channels, "a stage has 1 to 4 ears");
+  require(options.latency >= 0.0 && options.latency <= 1.0, "the latency has to be from 0 to 1 s");
+  require(options.budget >= 0.0, "the budget must not be below 0");
+  return options;
+}
+
+const std::vector<SharedMap>& checked(const std::vector<SharedMap>& bodies) {
+  require(!bodies.empty(), "a stage needs a body");
+  require(std::ranges::all_of(bodies, [](const SharedMap& map) { return map != nullptr; }), "a body has no map");
+  return bodies;
+}
+
+std::vector<Surface> checked(std::vector<Surface> surfaces) {
+  require(!surfaces.empty(), "a stage needs a surface");
+  for (std::size_t i = 0; i < surfaces.size(); ++i) {
+    check_surface(surfaces[i], i);
+  }
+  return surfaces;
+}
+
+void check_ears(std::span<const Triple> ears) {
+  require(std::ranges::all_of(ears, is_finite),
+          "an ear is not at a place: its coordinates have to be from -1e6 to 1e6 m");
+}
+
+void check_pose(std::size_t body, const Pose& pose, std::size_t bodies) {
+  require(body < bodies, fmt::format("there is no body {}", body));
+  const double size = std::hypot(std::hypot(pose.turn[0], pose.turn[1], pose.turn[2]), pose.turn[3]);
+  require(
+      is_finite(pose.position) && size > 1e-3 && size <= largest,
+      fmt::format("body {} is at no place: its position has to be from -1e6 to 1e6 m, and its turn not zero", body));
+}
+
+void check_event(const ContactEvent& event, std::size_t bodies, std::size_t surfaces) {
+  const auto [first, second] = event.bodies;
+  const auto count = static_cast<std::int32_t>(bodies);
+  require(first >= ContactEvent::nobody && first < count && second >= ContactEvent::nobody && second < count &&
+              std::max(first, second) >= 0,
+          fmt::format("a contact is between bodies {} and {}; the stage has {}", first, second, count));
+  require(first != second, fmt::format("a contact is between body {} and itself", first));
+  for (const std::int32_t surface : event.surfaces) {
+    require(surface >= 0 && static_cast<std::size_t>(surface) < surfaces,
+            fmt::format("a contact has surface {}; the stage has {}", surface, surfaces));
+  }
+  const std::array numbers = {event.impulse, event.roll, event.mass, event.moment};
+  require(is_finite(event.point) && is_finite(event.normal) && is_finite(event.slip) && is_finite(numbers),
+          "a contact has a number that is not finite or above 1e6");
+  require(event.impulse >= 0.0 && event.roll >= 0.0 && event.moment <= 1.0,
+          "a contact has an impulse or a speed below 0, or a moment above 1");
+  require(event.mass <= 0.0 || event.mass >= least_mass, "a contact moves a mass below 1e-9 kg");
+  require(event.impulse == 0.0 || std::abs(vector_of(event.normal).norm() - 1.0) < 1e-3,
+          "the normal of a contact is no unit vector");
+}
+
+}  // namespace idiophone::engines

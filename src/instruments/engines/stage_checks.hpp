@@ -1,0 +1,27 @@
+#pragma once
+// Whether what an engine says can be. All functions throw std::runtime_error if not.
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "idiophone/instruments/engines/engine_stage.hpp"
+
+namespace idiophone::engines {
+
+void require(bool good, const std::string& problem);
+/// The same for the audio thread: a text takes memory only if it is needed.
+void require(bool good, const char* problem);
+
+/// @return the same
+[[nodiscard]] StageOptions checked(StageOptions options);
+[[nodiscard]] const std::vector<SharedMap>& checked(const std::vector<SharedMap>& bodies);
+[[nodiscard]] std::vector<Surface> checked(std::vector<Surface> surfaces);
+
+void check_ears(std::span<const Triple> ears);
+/// @param bodies  of the stage
+void check_pose(std::size_t body, const Pose& pose, std::size_t bodies);
+/// @param bodies, surfaces  of the stage
+void check_event(const ContactEvent& event, std::size_t bodies, std::size_t surfaces);
+
+}  // namespace idiophone::engines

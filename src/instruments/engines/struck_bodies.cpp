@@ -1,0 +1,61 @@
+#include "struck_bodies.hpp"
+
+#include <algorithm>
+
+#include "idiophone/instruments/voices/map_detail.hpp"
+
+namespace idiophone::engines {
+
+namespace {
+
+constexpr std::int64_t choice = voices::MapChoice::interval, choice_and_fade = 2 * choice;
+
+}  // namespace
+
+StruckBodies::StruckBodies(double budget, std::vector<double> costs) : budget_(budget) {
+  for (const double cost : costs) {
+    bodies_.push_back({.cost = cost});
+  }
+}
+
+void StruckBodies::choose(std::span<double> loudness, std::int64_t start) {
+  std::vector<std::size_t> loudest;
+  for (std::size_t body = 0; body < loudness.size(); ++body) {
+    if (loudness[body] > 0.0) {
+      loudest.push_back(body);
+    }
+  }
+  std::ranges::stable_sort(loudest, std::ranges::greater(), [&](std::size_t body) { return loudness[body]; });
+  for (const std::size_t body : loudest) {
+    Body& one = bodies_[body];
+    if (cost_of_others(body, loudness[body], start) + one.cost > budget_) {
+      loudness[body] = 0.0;
+      continue;
+    }
+    one.loudness = std::max(one.end > start ? one.loudness : 0.0, loudness[body]);
+    one.end = std::max(one.end, start + choice_and_fade);
+  }
+}
+
+void StruckBodies::act(std::size_t body, std::int64_t end) {
+  bodies_[body].end = std::max(bodies_[body].end, end + choice_and_fade);
+}
+
+double StruckBodies::cost_of_others(std::size_t body, double loudness, std::int64_t sample) const {
+  double sum = 0.0;
+  for (std::size_t other = 0; other < bodies_.size(); ++other) {
+    const Body& one = bodies_[other];
+    sum += other != body && one.end > sample && one.loudness >= loudness ? one.cost : 0.0;
+  }
+  return sum;
+}
+
+double StruckBodies::cost_after_forces(std::int64_t sample) const {
+  double sum = 0.0;
+  for (const Body& body : bodies_) {
+    sum += body.end > sample && body.end - choice_and_fade < sample + choice ? body.cost : 0.0;
+  }
+  return sum;
+}
+
+}  // namespace idiophone::engines

@@ -1,0 +1,44 @@
+#pragma once
+// Which bodies contacts strike, within a budget.
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace idiophone::engines {
+
+/// All modes of a body are computed while forces act on it, on until the stage chooses again what is heard, and on
+/// while what was not chosen fades. So a budget has to limit how many bodies are struck: those with the loudest forces
+/// are.
+class StruckBodies {
+ public:
+  /// @param budget  processor time per time of sound; may be infinite
+  /// @param costs   [bodies] of those that are struck, likewise
+  StruckBodies(double budget, std::vector<double> costs);
+
+  /// Sets the loudness of those bodies to 0 for which there is no room beside those that are struck as loudly. What is
+  /// struck less loudly takes no room from them: while it fades, the cost is above the budget.
+  /// @param loudness  [bodies] of the forces from an audio sample on; 0: none
+  void choose(std::span<double> loudness, std::int64_t start);
+
+  /// The force on a chosen body acts until an audio sample.
+  void act(std::size_t body, std::int64_t end);
+
+  /// Of the bodies that are struck at an audio sample and whose forces are over at the next choice, which counts all
+  /// others itself.
+  [[nodiscard]] double cost_after_forces(std::int64_t sample) const;
+
+ private:
+  struct Body {
+    double cost;
+    double loudness = 0.0;  ///< of the loudest force since it was not struck
+    std::int64_t end = 0;   ///< audio sample at which the forces are over and what they left has faded
+  };
+  /// Of the other bodies that are struck at an audio sample at least as loudly.
+  [[nodiscard]] double cost_of_others(std::size_t body, double loudness, std::int64_t sample) const;
+
+  double budget_;
+  std::vector<Body> bodies_;
+};
+
+}  // namespace idiophone::engines
