@@ -76,6 +76,9 @@ class SameBits(program.TestCase):
     def test_taut_strings_interrupted_and_resumed_on_other_numbers_of_ranks(self):
         self.check_interruptions("taut")
 
+    def test_joined_bodies_on_three_ranks(self):
+        self.check_ranks("joined")
+
     @program.long_verification
     def test_joined_bodies_interrupted_and_resumed_on_other_numbers_of_ranks(self):
         self.check_interruptions("joined")

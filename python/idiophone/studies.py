@@ -18,6 +18,7 @@ class Constant:
     half_width: float | None  #: of the 95 % interval, in the unit of the value; None if it is unbounded
     in_the_deck: float        #: where the search began
     determined: bool          #: whether the lines determine it; if not, it keeps the value of the deck
+    would_be_determined: bool  #: by `further_lines`, if it is not
 
 
 @dataclass(frozen=True)

@@ -104,7 +104,8 @@ nlohmann::json identification_facts(const Identification& found) {
     answer["constants"][constant.name] = {{"value", constant.value},
                                           {"half_width", loop::number_or_null(constant.half_width)},
                                           {"in_the_deck", constant.start},
-                                          {"determined", constant.determined}};
+                                          {"determined", constant.determined},
+                                          {"would_be_determined", constant.would_be_determined}};
   }
   for (const AssignedLine& line : found.lines) {
     nlohmann::json entry = {{"measured", line.line.frequency},

@@ -58,22 +58,26 @@ using fitting::Identification;
 using fitting::IdentifiedConstant;
 
 /// What to measure for a constant that the lines do not determine.
-std::string advice(const Identification& found, const std::string& constant) {
-  if (found.stopped) {
+std::string advice(const Identification& found, const IdentifiedConstant& constant) {
+  if (found.looked_up_to == 0) {
     return "Measure more lines, or lines of other modes";
   }
-  if (std::ranges::find(found.further, constant, &fitting::FurtherLine::constant) == found.further.end()) {
-    return fmt::format("No single line up to {:.0f} Hz would tell much more of it: measure several, or a body of another shape",
-                       found.looked_up_to);
+  if (constant.would_be_determined) {
+    return "The further lines that are named would determine it";
   }
-  return "Measure the further lines that are named for it";
+  if (std::ranges::find(found.further, constant.name, &fitting::FurtherLine::constant) != found.further.end()) {
+    return "The further lines that are named for it tell more of it, but not enough: measure several";
+  }
+  return fmt::format(
+      "No single line up to {:.0f} Hz would tell much more of it: measure several, or a body of another shape",
+      found.looked_up_to);
 }
 
 void warn_of_gaps(const Identification& found) {
   for (const IdentifiedConstant& constant : found.constants) {
     if (!constant.determined) {
       spdlog::warn("the lines do not determine {}: its 95 % interval would be +-{:.2g}; it keeps the deck's value. {}",
-                   constant.name, constant.half_width, advice(found, constant.name));
+                   constant.name, constant.half_width, advice(found, constant));
     }
   }
 }

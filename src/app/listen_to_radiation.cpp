@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <optional>
 #include <stdexcept>
 
 #include "idiophone/air/harmonic/listener_pressures.hpp"
@@ -26,7 +27,8 @@ scene::Scene read_listeners(const ListenToRadiation& options, const harmonic::St
                                      .name = origin.name,
                                      .text = origin.deck_text,
                                      .overrides = origin.overrides,
-                                     .air = {.density = radiation.air_density, .speed = radiation.air_speed}};
+                                     .air = {.density = radiation.air_density, .speed = radiation.air_speed},
+                                     .has_times = false};
   return scene::read_listening(recorded, options.listeners, options.overrides);
 }
 

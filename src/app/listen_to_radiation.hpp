@@ -21,8 +21,7 @@ struct ListenToRadiation {
 
 /// Computes the pressures from the solutions of a result, and writes a new one. Collective.
 /// @throws std::runtime_error or deck::DeckError if the result or the deck can't be read, the deck has another floor
-/// than
-///         the result, a listener is inside a body, or the new result would replace the old one
+///         than the result, a listener is inside a body, or the new result would replace the old one
 void listen_to_radiation(const ListenToRadiation& options, MPI_Comm communicator);
 
 }  // namespace idiophone::app

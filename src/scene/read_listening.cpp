@@ -98,6 +98,11 @@ void read_scene(Section& deck, const RecordedDeck& recorded, Scene& scene) {
   if (deck.optional("name", scene.name) && deck.find("name") != nullptr) {
     check_name(scene.name, deck.find("name")->where, mistakes);
   }
+  if (!recorded.has_times) {
+    for (const char* key : {"audio", "output"}) {
+      deck.refuse(key, "has no effect: what was recorded are single frequencies, not a sound in time");
+    }
+  }
   require_some(deck, "listeners", scene.listeners, Folder{scene.deck.parent_path()});
   read_audio(deck, recorded.rate, scene.audio);
   if (const Node* radiation = deck.find("radiation")) {
@@ -139,6 +144,9 @@ ReadListening read_listening_with_tree(const RecordedDeck& recorded, const std::
   if (!recorded.text.empty()) {
     const Node whole = read_tree(recorded.text, place + ":/deck", recorded.overrides, mistakes);
     tree = listenable(whole);
+    if (!recorded.has_times) {
+      std::erase_if(tree.children, [](const Node& child) { return child.key == "audio" || child.key == "output"; });
+    }
     Section(whole, mistakes).optional("references", scene.references);
   }
   scene.deck = deck.empty() ? recorded.recording : deck;

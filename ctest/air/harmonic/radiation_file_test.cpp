@@ -5,6 +5,8 @@
 #include <gmock/gmock.h>
 #include <hdf5.h>
 
+#include <array>
+#include <limits>
 #include <random>
 
 #include "shared_folder.hpp"
@@ -89,6 +91,26 @@ std::string refusal_without(const char* part) {
   H5Ldelete(open, part, H5P_DEFAULT);
   H5Fclose(open);
   return support::error_of([&] { (void)read_radiation(file); });
+}
+
+TEST_F(RadiationFile, IsRefusedWhereItContradictsItself) {
+  const support::Folder folder;
+  const auto file = folder / "radiation.h5";
+  const auto refusal_of = [&](Radiation radiation) {
+    write_radiation(file, origin, radiation);
+    return support::error_of([&] { (void)read_radiation(file); });
+  };
+  Radiation radiation = refined_radiation();
+  radiation.sounds[0].solution.pressure[0] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(refusal_of(radiation), HasSubstr("/solutions/0/pressure has a number that is not finite"));
+  write_radiation(file, origin, refined_radiation());
+  const auto open = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const auto numbers = H5Dopen2(open, "/solutions/0/sound", H5P_DEFAULT);
+  const std::array<std::int32_t, 2> twice = {0, 0};
+  H5Dwrite(numbers, H5T_NATIVE_INT32, H5S_ALL, H5S_ALL, H5P_DEFAULT, twice.data());
+  H5Dclose(numbers);
+  H5Fclose(open);
+  EXPECT_THAT(support::error_of([&] { (void)read_radiation(file); }), HasSubstr("names sound 0 again"));
 }
 
 TEST_F(RadiationFile, IsRefusedWithoutItsSolutions) {

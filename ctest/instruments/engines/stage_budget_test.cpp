@@ -37,21 +37,27 @@ ContactEvent blow_on(int body) {
 TEST(StruckBodies, TheLoudestHaveRoomUntilTheyHaveFaded) {
   constexpr std::int64_t begin = 10000, fade = 2048;  // audio samples
   StruckBodies struck(2.5, {1.0, 1.0, 1.0, 1.0});
-  const auto chosen = [&](std::vector<double> loudness, std::int64_t start) {
-    struck.choose(loudness, start);
-    return loudness;
+  constexpr double none = -1.0;
+  const auto chosen = [&](const std::vector<double>& loudness, std::int64_t start) {
+    return struck.choose(loudness, start);
   };
-  EXPECT_EQ(chosen({1.0, 3.0, 0.0, 2.0}, begin), (std::vector{0.0, 3.0, 0.0, 2.0}));
+  EXPECT_EQ(chosen({1.0, 3.0, none, 2.0}, begin), (std::vector{false, true, false, true}));
   struck.act(1, begin + 500);
   struck.act(3, begin + 700);
   EXPECT_EQ(struck.cost_after_forces(begin + 500 - 1024), 0.0) << "both forces still act at the next choice";
   EXPECT_EQ(struck.cost_after_forces(begin + 600 - 1024), 1.0);
-  EXPECT_EQ(chosen({1.0, 0.1, 0.0, 0.0}, begin + 600), (std::vector{0.0, 0.1, 0.0, 0.0}))
+  EXPECT_EQ(chosen({1.0, 0.1, none, none}, begin + 600), (std::vector{false, true, false, false}))
       << "its own sound takes no room";
-  EXPECT_EQ(chosen({0.0, 0.0, 2.5, 0.0}, begin + 600)[2], 2.5) << "louder than one of the two";
-  EXPECT_EQ(chosen({1.0, 0.0, 0.0, 0.0}, begin + 2000)[0], 0.0);
-  EXPECT_EQ(chosen({1.0, 0.0, 0.0, 0.0}, begin + 500 + fade)[0], 0.0) << "what was struck still fades";
-  EXPECT_EQ(chosen({1.0, 0.0, 0.0, 0.0}, begin + 700 + fade)[0], 1.0);
+  EXPECT_EQ(chosen({none, none, 2.5, none}, begin + 600)[2], true) << "louder than one of the two";
+  EXPECT_EQ(chosen({1.0, none, none, none}, begin + 2000)[0], false);
+  EXPECT_EQ(chosen({1.0, none, none, none}, begin + 500 + fade)[0], false) << "what was struck still fades";
+  EXPECT_EQ(chosen({1.0, none, none, none}, begin + 700 + fade)[0], true);
+}
+
+TEST(StruckBodies, OneHasRoomWhateverItCosts) {
+  StruckBodies struck(0.5, {1.0, 1.0});
+  EXPECT_EQ(struck.choose(std::vector{0.0, 1.0}, 0), (std::vector{false, true}));
+  EXPECT_EQ(struck.choose(std::vector{0.0, -1.0}, 100000), (std::vector{true, false})) << "silent, and alone";
 }
 
 TEST(StageBudget, OfManyBlowsTheLoudestAreHeard) {

@@ -13,6 +13,7 @@ struct RecordedDeck {
   std::vector<std::string> overrides;  ///< the run's --set arguments, verbatim
   int rate = 44100;                    ///< audio samples per second
   AirProperties air;                   ///< of the recorded run
+  bool has_times = true;               ///< false: single frequencies; then `audio` and `output` are refused
 };
 
 /// Reads and validates a deck for listening: name, listeners, radiation, audio.dc_block or dc_corner, output.wav and

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <stdexcept>
@@ -52,13 +54,13 @@ class RadiationReader {
     }
   }
 
-  static constexpr hsize_t any = 0;  ///< in a shape: of any size
+  static constexpr hsize_t any = std::numeric_limits<hsize_t>::max();  ///< in a shape: of any size but 0
 
   /// @param expected  shape
   template <class T>
   std::vector<T> values(const std::string& name, const hdf5::Dimensions& expected) {
     const auto dataset = hdf5::open_dataset(file_.id(), name);
-    const auto fits = [](hsize_t size, hsize_t wanted) { return wanted == any || size == wanted; };
+    const auto fits = [](hsize_t size, hsize_t wanted) { return wanted == any ? size > 0 : size == wanted; };
     require(std::ranges::equal(hdf5::shape_of(dataset.id()), expected, fits),
             fmt::format("{} does not have the size of the others", name));
     return hdf5::read<T>(dataset.id(), hdf5::whole(dataset.id()));
@@ -76,6 +78,8 @@ class RadiationReader {
   /// [rows][width], from [rows x width x 2] real and imaginary parts.
   std::vector<std::vector<Complex>> fields(const std::string& name, std::size_t rows, std::size_t width) {
     const auto parts = values<double>(name, {rows, width, 2});
+    require(std::ranges::all_of(parts, [](double part) { return std::isfinite(part); }),
+            fmt::format("{} has a number that is not finite", name));
     std::vector<std::vector<Complex>> fields(rows);
     for (std::size_t i = 0; i < parts.size(); i += 2) {
       fields[i / (2 * width)].emplace_back(parts[i], parts[i + 1]);
@@ -152,6 +156,8 @@ class RadiationReader {
     const std::string group = radiation_paths::solutions(refinements);
     radiation_.surfaces.resize(std::max(radiation_.surfaces.size(), refinements + 1));
     const Boundary& surface = radiation_.surfaces[refinements] = this->surface(group);
+    require(surface.vertices.size() >= radiation_.surfaces.front().vertices.size(),
+            fmt::format("{} has fewer vertices than /surface", group));
     const auto numbers = values<std::int32_t>(group + "/sound", {any});
     auto pressures = fields(group + "/pressure", numbers.size(), surface.vertices.size());
     auto velocities = fields(group + "/normal_velocity", numbers.size(), 3 * surface.triangles.size());
@@ -159,6 +165,7 @@ class RadiationReader {
       require(numbers[i] >= 0 && numbers[i] < std::ssize(radiation_.sounds),
               fmt::format("{}/sound names sound {}; there are {}", group, numbers[i], radiation_.sounds.size()));
       RadiatedSound& sound = radiation_.sounds[numbers[i]];
+      require(sound.solution.pressure.empty(), fmt::format("{}/sound names sound {} again", group, numbers[i]));
       sound.refinements = refinements;
       sound.solution = {.wave_number = 2.0 * std::numbers::pi * sound.frequency / radiation_.air_speed,
                         .pressure = std::move(pressures[i]),
@@ -173,6 +180,7 @@ class RadiationReader {
       return;
     }
     radiation_.listener_names = hdf5::texts_in(file_.id(), radiation_paths::listener_names);
+    require(!radiation_.listener_names.empty(), fmt::format("{} is empty", radiation_paths::listener_names));
     radiation_.listener_positions = points(radiation_paths::listener_positions);
     require(radiation_.listener_names.size() == radiation_.listener_positions.size(),
             fmt::format("{} does not have the size of the others", radiation_paths::listener_positions));

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "map_loudness.hpp"
+#include "stage_checks.hpp"
 #include "vectors.hpp"
 
 namespace idiophone::engines {
@@ -16,12 +17,11 @@ namespace {
 constexpr double share_of_struck = 0.5;
 constexpr double share_of_strokes = 0.25;
 
-constexpr std::size_t most_commands = 256;   // to a body; more wait for the audio thread
-constexpr double farthest_coordinate = 1e6;  // m
+constexpr std::size_t most_commands = 256;  // to a body; more wait for the audio thread
 
 /// Ears before the first step, when all bodies are where their maps are: no farther away than can be played.
 std::vector<Vector3> first_ears(std::vector<Vector3> ears, const std::vector<SharedMap>& bodies) {
-  double farthest = farthest_coordinate;
+  double farthest = largest_number;
   for (const SharedMap& map : bodies) {
     farthest = std::min(farthest, 0.9 * (voices::longest_way * map->air_speed - map->centre.norm()));
   }
@@ -68,13 +68,13 @@ std::vector<double> StageBodies::costs() const {
 std::size_t StageBodies::most_strokes() const {
   const std::vector<double> all = costs();
   const double strokes = share_of_strokes * budget_ / (2.0 * std::ranges::max(all));
-  return static_cast<std::size_t>(std::min(strokes, 1e9));
+  return static_cast<std::size_t>(std::clamp(strokes, 1.0, 1e9));
 }
 
 /// Forces on bodies for which there is room, in the coordinates of the bodies: [bodies].
 std::vector<drivers::Excitation> StageBodies::chosen(std::span<const ContactForce> forces, std::int64_t start) {
   std::vector<drivers::Excitation> excitations(bodies_.size());
-  std::vector<double> loudness(bodies_.size());
+  std::vector<double> loudness(bodies_.size(), -1.0);
   for (const ContactForce& force : forces) {
     for (std::size_t side = 0; side < 2; ++side) {
       if (force.bodies[side] != ContactEvent::nobody) {
@@ -85,9 +85,9 @@ std::vector<drivers::Excitation> StageBodies::chosen(std::span<const ContactForc
       }
     }
   }
-  struck_.choose(loudness, start);
+  const std::vector<bool> has_room = struck_.choose(loudness, start);
   for (std::size_t body = 0; body < bodies_.size(); ++body) {
-    if (loudness[body] == 0.0) {
+    if (!has_room[body]) {
       left_out_ += std::exchange(excitations[body].forces, {}).size();
     }
   }

@@ -1,6 +1,8 @@
 #pragma once
 // The bodies of a stage: where they are, and the forces that reach them.
 
+#include <cstddef>
+#include <cstdint>
 #include <span>
 #include <utility>
 #include <vector>

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -14,11 +15,10 @@ namespace idiophone::engines {
 namespace {
 
 constexpr std::size_t most_channels = 4;
-constexpr double largest = 1e6;      // of any number of an event
 constexpr double least_mass = 1e-9;  // kg
 
 bool is_finite(std::span<const double> numbers) {
-  return std::ranges::all_of(numbers, [](double number) { return std::abs(number) <= largest; });
+  return std::ranges::all_of(numbers, [](double number) { return std::abs(number) <= largest_number; });
 }
 
 }  // namespace
@@ -66,7 +66,7 @@ void check_pose(std::size_t body, const Pose& pose, std::size_t bodies) {
   require(body < bodies, fmt::format("there is no body {}", body));
   const double size = std::hypot(std::hypot(pose.turn[0], pose.turn[1], pose.turn[2]), pose.turn[3]);
   require(
-      is_finite(pose.position) && size > 1e-3 && size <= largest,
+      is_finite(pose.position) && size > 1e-3 && size <= largest_number,
       fmt::format("body {} is at no place: its position has to be from -1e6 to 1e6 m, and its turn not zero", body));
 }
 

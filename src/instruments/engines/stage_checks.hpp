@@ -9,6 +9,8 @@
 
 namespace idiophone::engines {
 
+inline constexpr double largest_number = 1e6;  ///< of an event or a place, in its unit
+
 void require(bool good, const std::string& problem);
 /// The same for the audio thread: a text takes memory only if it is needed.
 void require(bool good, const char* problem);

@@ -18,23 +18,25 @@ StruckBodies::StruckBodies(double budget, std::vector<double> costs) : budget_(b
   }
 }
 
-void StruckBodies::choose(std::span<double> loudness, std::int64_t start) {
+std::vector<bool> StruckBodies::choose(std::span<const double> loudness, std::int64_t start) {
   std::vector<std::size_t> loudest;
   for (std::size_t body = 0; body < loudness.size(); ++body) {
-    if (loudness[body] > 0.0) {
+    if (loudness[body] >= 0.0) {
       loudest.push_back(body);
     }
   }
   std::ranges::stable_sort(loudest, std::ranges::greater(), [&](std::size_t body) { return loudness[body]; });
+  std::vector<bool> chosen(loudness.size());
   for (const std::size_t body : loudest) {
     Body& one = bodies_[body];
-    if (cost_of_others(body, loudness[body], start) + one.cost > budget_) {
-      loudness[body] = 0.0;
-      continue;
+    const double others = cost_of_others(body, loudness[body], start);
+    if (others == 0.0 || others + one.cost <= budget_) {
+      chosen[body] = true;
+      one.loudness = std::max(one.end > start ? one.loudness : 0.0, loudness[body]);
+      one.end = std::max(one.end, start + choice_and_fade);
     }
-    one.loudness = std::max(one.end > start ? one.loudness : 0.0, loudness[body]);
-    one.end = std::max(one.end, start + choice_and_fade);
   }
+  return chosen;
 }
 
 void StruckBodies::act(std::size_t body, std::int64_t end) {

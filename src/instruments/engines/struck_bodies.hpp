@@ -16,10 +16,11 @@ class StruckBodies {
   /// @param costs   [bodies] of those that are struck, likewise
   StruckBodies(double budget, std::vector<double> costs);
 
-  /// Sets the loudness of those bodies to 0 for which there is no room beside those that are struck as loudly. What is
-  /// struck less loudly takes no room from them: while it fades, the cost is above the budget.
-  /// @param loudness  [bodies] of the forces from an audio sample on; 0: none
-  void choose(std::span<double> loudness, std::int64_t start);
+  /// The bodies for which there is room beside those that are struck as loudly. What is struck less loudly takes no
+  /// room from them: while it fades, the cost is above the budget. One body has room alone, whatever it costs.
+  /// @param loudness  [bodies] of the forces from an audio sample on; below 0: there are none
+  /// @return [bodies]
+  [[nodiscard]] std::vector<bool> choose(std::span<const double> loudness, std::int64_t start);
 
   /// The force on a chosen body acts until an audio sample.
   void act(std::size_t body, std::int64_t end);

@@ -34,6 +34,7 @@ MaterialFit::MaterialFit(const scene::Solids& solids, const Measurements& measur
     : options_(options),
       body_(solids, options.mass),
       start_(solids.materials[solids.bodies.front().material]),
+      measured_(measured.lines),
       lines_(measured.lines),
       highest_(measured.lines.back().frequency) {
   if (options.lines && static_cast<std::size_t>(*options.lines) < lines_.size()) {
@@ -50,6 +51,7 @@ MaterialFit::MaterialFit(const scene::Solids& solids, const Measurements& measur
   mesh_errors_.resize(lines_.size());
   widths_ = Eigen::VectorXd::Constant(static_cast<Eigen::Index>(constants_.size()), infinity);
   chosen_.resize(constants_.size(), true);
+  is_promised_.resize(constants_.size());
 }
 
 void MaterialFit::run(Identification& result) {
@@ -59,7 +61,6 @@ void MaterialFit::run(Identification& result) {
     choose();
     weigh();
     settle();
-    look_further(result);
   } catch (const Stopped&) {
     result.stopped = true;
     result.doubts.push_back(
@@ -69,6 +70,12 @@ void MaterialFit::run(Identification& result) {
     result.doubts.emplace_back(
         "the fit has not settled: the assignment of lines to modes changes to and fro; try another --tolerance, or "
         "leave doubtful lines out");
+  }
+  if (!result.stopped) {
+    try {
+      look_further(result);
+    } catch (const Stopped&) {  // the constants are there; only the advice is missing
+    }
   }
   tell(result);
 }
@@ -235,7 +242,8 @@ void MaterialFit::tell(Identification& result) const {
                                   .value = constants_[k].in(found),
                                   .start = constants_[k].in(deck),
                                   .half_width = widths_[place],
-                                  .determined = chosen_[k]});
+                                  .determined = chosen_[k],
+                                  .would_be_determined = is_promised_[k]});
     }
   }
   result.material = material_;

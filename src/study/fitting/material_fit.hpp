@@ -69,9 +69,10 @@ class MaterialFit {
   [[nodiscard]] Eigen::VectorXd held_constants() const;
   [[nodiscard]] FurtherModes further_modes();
   [[nodiscard]] std::pair<Eigen::Index, double> narrowest(const FurtherModes& modes, const Evidence& known,
+                                                          const Scatter& scatter,
                                                           const Eigen::RowVectorXd& combination) const;
   [[nodiscard]] FurtherLine further_line(const FurtherModes& modes, Eigen::Index mode, Eigen::Index constant,
-                                         const Evidence& known) const;
+                                         double half_width) const;
   [[nodiscard]] Eigen::VectorXd widths_by_lines(const Eigen::MatrixXd& slopes) const;
   [[nodiscard]] bool is_settled() const;
   void tell(Identification& result) const;
@@ -79,6 +80,7 @@ class MaterialFit {
   const IdentificationOptions& options_;
   StrainedBody body_;
   scene::Material start_, material_;
+  const std::vector<Line>& measured_;
   std::vector<Line> lines_;  ///< to be fitted
   double highest_ = 0.0;     ///< of all lines, Hz
   ElasticConstants constants_;
@@ -90,6 +92,7 @@ class MaterialFit {
   LinePairs pairs_;
   std::vector<double> mesh_errors_;  ///< [lines] cents
   std::vector<bool> chosen_;         ///< [constants] fitted in the end
+  std::vector<bool> is_promised_;    ///< [constants] further lines would determine it
   Eigen::VectorXd widths_;           ///< [constants] of the 95 % intervals of the values
   int solves_ = 0;
 };

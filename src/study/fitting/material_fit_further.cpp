@@ -41,21 +41,25 @@ void MaterialFit::look_further(Identification& result) {
     return;
   }
   FurtherModes modes = further_modes();
+  const Eigen::MatrixXd of_values = value_slopes(constants_, material_);
   result.looked_up_to = modes.frequencies[modes.frequencies.size() - 1];
   Evidence known = evidence();
+  const Scatter scatter = scatter_of(known, expected_);
   for (Eigen::Index k = 0; k < held.size(); ++k) {
     const Eigen::RowVectorXd constant = held[k] * Eigen::RowVectorXd::Unit(held.size(), k);
-    double width = half_widths(known, expected_, constant)[0];
+    double width = half_widths(known, scatter, expected_, constant)[0];
     for (int lines = 0; lines < most_lines && width > undetermined; ++lines) {
-      const auto [mode, narrowed] = narrowest(modes, known, constant);
+      const auto [mode, narrowed] = narrowest(modes, known, scatter, constant);
       if (narrowed > worthwhile * width) {
         break;
       }
       width = narrowed;
       modes.is_measured[static_cast<std::size_t>(mode)] = true;
       known = with_line(known, modes.slopes.row(mode), modes.mesh_errors[mode]);
-      result.further.push_back(further_line(modes, mode, k, known));
+      result.further.push_back(
+          further_line(modes, mode, k, half_widths(known, scatter, expected_, of_values.row(k))[0]));
     }
+    is_promised_[static_cast<std::size_t>(k)] = held[k] > 0 && width <= undetermined;
   }
 }
 
@@ -80,8 +84,8 @@ MaterialFit::FurtherModes MaterialFit::further_modes() {
   note_solve();
   std::vector<bool> is_measured(model.multiplets().size());
   std::vector<double> uncertainties;
-  for (const auto& [line, multiplet] : pairs_) {
-    uncertainties.push_back(std::sqrt(std::pow(lines_[line].uncertainty, 2) - std::pow(mesh_errors_[line], 2)));
+  for (const auto& [line, multiplet] : assign(measured_, *model_, material_, options_.tolerance).pairs) {
+    uncertainties.push_back(measured_[line].uncertainty);
     const auto same = std::ranges::find(model.multiplets(), model_->multiplets()[multiplet].first, &Multiplet::first);
     if (same != model.multiplets().end()) {
       is_measured[static_cast<std::size_t>(same - model.multiplets().begin())] = true;
@@ -98,12 +102,13 @@ MaterialFit::FurtherModes MaterialFit::further_modes() {
 /// The mode whose line leaves the smallest interval of a combination of the unknowns, and its half-width; infinite if
 /// all are measured.
 std::pair<Eigen::Index, double> MaterialFit::narrowest(const FurtherModes& modes, const Evidence& known,
+                                                       const Scatter& scatter,
                                                        const Eigen::RowVectorXd& combination) const {
   std::pair<Eigen::Index, double> best{0, std::numeric_limits<double>::infinity()};
   for (Eigen::Index m = 0; m < modes.slopes.rows(); ++m) {
     if (!modes.is_measured[static_cast<std::size_t>(m)]) {
-      const double width =
-          half_widths(with_line(known, modes.slopes.row(m), modes.mesh_errors[m]), expected_, combination)[0];
+      const Evidence more = with_line(known, modes.slopes.row(m), modes.mesh_errors[m]);
+      const double width = half_widths(more, scatter, expected_, combination)[0];
       best = width < best.second ? std::pair{m, width} : best;
     }
   }
@@ -111,14 +116,14 @@ std::pair<Eigen::Index, double> MaterialFit::narrowest(const FurtherModes& modes
 }
 
 FurtherLine MaterialFit::further_line(const FurtherModes& modes, Eigen::Index mode, Eigen::Index constant,
-                                      const Evidence& known) const {
+                                      double half_width) const {
   const Multiplet& multiplet = modes.multiplets[static_cast<std::size_t>(mode)];
   const auto [place, direction] = body_.antinode(multiplet);
   return {.constant = constants_[static_cast<std::size_t>(constant)].name,
           .first_mode = multiplet.first + 1,
           .modes = multiplet.count,
           .frequency = modes.frequencies[mode],
-          .half_width = half_widths(known, expected_, value_slopes(constants_, material_).row(constant))[0],
+          .half_width = half_width,
           .place = place,
           .direction = direction};
 }

@@ -120,18 +120,20 @@ FrequencyModel StrainedBody::lowest(const scene::Material& material, int count) 
 }
 
 StrainedBody::Antinode StrainedBody::antinode(const Multiplet& multiplet) const {
-  const Eigen::VectorXd shape = shapes_ * factors_.col(multiplet.first);
-  const auto motion = [&](Index node) { return shape.segment<3>(3 * static_cast<Eigen::Index>(node)); };
+  const Eigen::MatrixXd shapes = shapes_ * factors_.middleCols(multiplet.first, multiplet.count);
+  const auto motions = [&](Index node) { return shapes.middleRows<3>(3 * static_cast<Eigen::Index>(node)); };
   double largest = 0.0;
   Index found = part_.vertices.front();
   for (const Index node : part_.vertices) {
     constexpr double more = 1e-6;  // of equal motions by symmetry, the first, whatever the solver's rounding
-    if (motion(node).squaredNorm() > (1 + more) * largest) {
-      largest = motion(node).squaredNorm();
+    if (motions(node).squaredNorm() > (1 + more) * largest) {
+      largest = motions(node).squaredNorm();
       found = node;
     }
   }
-  return {part_.reference[static_cast<std::size_t>(found)], motion(found).normalized()};
+  Eigen::Index mode = 0;
+  motions(found).colwise().squaredNorm().maxCoeff(&mode);
+  return {part_.reference[static_cast<std::size_t>(found)], motions(found).col(mode).normalized()};
 }
 
 std::vector<double> StrainedBody::mesh_errors(const FrequencyModel& model) const {

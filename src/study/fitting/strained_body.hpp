@@ -44,7 +44,7 @@ class StrainedBody {
     Vector3 place;      ///< m
     Vector3 direction;  ///< of the motion, of length 1
   };
-  /// Where the surface moves most in a mode of a multiplet.
+  /// Where the surface moves most in the modes of a multiplet together.
   /// @param multiplet  of the last model that this body made
   [[nodiscard]] Antinode antinode(const Multiplet& multiplet) const;
 

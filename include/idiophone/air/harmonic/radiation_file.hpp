@@ -20,9 +20,8 @@ struct StoredRadiation {
 };
 
 /// Reads NAME_radiation.h5 with its solutions.
-/// @throws std::runtime_error when the file can't be opened, is none of this format, has no solutions, as those of
-/// older
-///         versions, or contradicts itself
+/// @throws std::runtime_error when the file can't be opened, is none of this format, has no solutions, as files of
+///         older versions, or contradicts itself
 [[nodiscard]] StoredRadiation read_radiation(const std::filesystem::path& path);
 
 }  // namespace idiophone::harmonic

@@ -26,6 +26,7 @@ struct IdentifiedConstant {
   double start = 0.0;       ///< in the deck
   double half_width = 0.0;  ///< of its 95 % confidence interval; infinite if the search was stopped before
   bool determined = true;   ///< it was fitted; if not, the lines do not need it and it has its value in the deck
+  bool would_be_determined = false;  ///< by Identification::further; only if it is not
 };
 
 /// A line and the modes that it is.
@@ -54,8 +55,8 @@ struct FurtherLine {
   int modes = 0;            ///< so many of one frequency
   double frequency = 0.0;   ///< computed, Hz
   double half_width = 0.0;  ///< of the constant's 95 % interval with this line and those named before
-  Vector3 place;            ///< in the body where the mode moves most, m: strike there, or listen there
-  Vector3 direction;        ///< of length 1, in which it moves there
+  Vector3 place;            ///< of the surface where the mode moves most, m: strike there, or listen there
+  Vector3 direction;        ///< of length 1, in which it moves there; of several modes, the one that moves most there
 };
 
 struct Identification {

@@ -3,8 +3,12 @@
 const workletText = ["sound", "stroke", "bodies", "proxies", "modes", "compiled-modes", "bowing", "resonators", "meter"].map(
   name => document.getElementById(`${name}-code`).textContent).join("\n");
 
-/// What the build made of src/instruments/page_sound, or null.
-const compiledBytes = page.webassembly ? decoded(page.webassembly, Uint8Array) : null;
+/// What the build made of src/instruments/page_sound. Null if it made nothing, or if the browser can't run it.
+const compiledBytes = runnable(page.webassembly && decoded(page.webassembly, Uint8Array));
+
+function runnable(bytes) {
+  return bytes && globalThis.WebAssembly?.validate(bytes) ? bytes : null;
+}
 
 /// A node of Web Audio whose output is the pressure in pascals.
 /// @param blows        {body, start in audio samples, force, participation}

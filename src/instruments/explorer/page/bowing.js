@@ -24,7 +24,7 @@ class Bowing {
   /// None. The bow rests if no news came for some time.
   blows(start, samples) {
     this.silence += samples / this.rate;
-    if (this.silence > longestSilence && this.news.speed > 0) this.follow({...this.news, speed: 0});
+    if (!this.isOver && this.silence > longestSilence && this.news.speed > 0) this.follow({...this.news, speed: 0});
     return [];
   }
 }
