@@ -213,7 +213,7 @@ class Radiate(program.TestCase):
         self.require_status(self.radiate("--frequencies", "400", *COARSE), program.FINISHED)
         ear = "listeners: {ear: {type: mono, position: [0, 0, 0.2]}}"
         for text, said in (("listeners: {ear: {type: mono, position: [0, 0, 0.01]}}", "inside"),
-                           (ear + "\naudio: {dc_corner: 10}", "audio has no effect"),
+                           (ear + "\naudio: {dc_corner: 10}", "audio: has no effect"),
                            (ear + "\nradiation: {floor: {at: [0, 0, -1]}}", "which was solved without a floor"),
                            (ear + "\nradiation: {air: {speed: 300}}", "radiation.air.speed"),
                            (ear + "\nname: ball", "would be overwritten")):
