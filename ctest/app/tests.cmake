@@ -33,7 +33,7 @@ foreach(name IN ITEMS same_bits listen recorded_body damage stopping output_lock
   idiophone_app_test(${name})
 endforeach()
 # The longest ones begin first, so that none of them is left at the end.
-set_tests_properties(app.same_bits app.report app.fitting app.modal_bodies PROPERTIES COST 90)
+set_tests_properties(app.same_bits app.fitting app.modal_bodies PROPERTIES COST 90)
 # They measure time, so they have two cores for themselves. The others may share them.
 set_tests_properties(app.stopping app.play app.proxies app.midi_out app.output_lock PROPERTIES PROCESSORS 2)
 set_tests_properties(app.play app.proxies app.midi_out PROPERTIES RESOURCE_LOCK jackd) # a server with one name
@@ -41,8 +41,11 @@ if(TARGET idiophone_lv2)
   idiophone_app_test(jalv)
   set_tests_properties(app.jalv PROPERTIES RESOURCE_LOCK jackd)
 endif()
+# What tests of web pages need of npm. A browser has several processes, so two such tests at once are enough.
+add_test(NAME app.web_modules COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/app/web.py)
+set_tests_properties(app.web_modules PROPERTIES FIXTURES_SETUP web_modules COST 100 ENVIRONMENT "${IDIOPHONE_APP_ENVIRONMENT}")
 set_tests_properties(app.explore app.explorer_page app.made_bodies app.abx app.bench app.report app.site app.evolve_page app.gltf
-  PROPERTIES RESOURCE_LOCK web_modules) # the first one installs them
+  PROPERTIES FIXTURES_REQUIRED web_modules PROCESSORS 2 COST 80)
 
 # A short form of tools/torment, always with the same trials.
 add_test(NAME app.torment COMMAND ${PROJECT_SOURCE_DIR}/tools/torment --minutes 0.25 --seed 1 --slowness 4

@@ -24,3 +24,7 @@ def in_browser(script, *arguments):
                             env={**os.environ, "WEB_MODULES": str(MODULES)}, capture_output=True, text=True, timeout=program.TIMEOUT)
     assert answer.returncode == 0, answer.stdout + answer.stderr
     return json.loads(answer.stdout)
+
+
+if __name__ == "__main__":
+    install_modules()
