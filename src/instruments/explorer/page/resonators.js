@@ -49,7 +49,8 @@ class Resonators extends AudioWorkletProcessor {
     this.bows = 0;  // so far
     tunings.forEach((tuning, body) => this.add({tuning, proxies: proxies[body]}));
     blows.forEach(blow => this.struck(blow).strike(blow));
-    this.port.onmessage = ({data}) => this.obey(data);
+    this.messages = [];
+    this.port.onmessage = ({data}) => this.messages.push(data);
   }
 
   obey({add, tune, tuneProxy, strike, stroke, follow, lift}) {
@@ -78,6 +79,8 @@ class Resonators extends AudioWorkletProcessor {
   }
 
   process(inputs, [channels]) {
+    // Here an error ends the thread, and the page says so. In onmessage it would be lost.
+    this.messages.splice(0).forEach(message => this.obey(message));
     for (const [id, stroke] of this.strokes) {
       stroke.blows(currentFrame, channels[0].length).forEach(blow => this.struck(stroke).strike(blow));
       if (stroke.isOver) this.strokes.delete(id);
