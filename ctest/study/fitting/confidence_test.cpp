@@ -20,7 +20,7 @@ Evidence lines_of_two_constants(Eigen::Index count, double mesh_error) {
 }
 
 VectorXd half_widths(const Evidence& evidence, const Expectation& expected, const MatrixXd& value_slopes) {
-  return fitting::half_widths(evidence, scatter_of(evidence, expected), expected, value_slopes);
+  return fitting::half_widths(evidence, residual_spread(evidence, expected), expected, value_slopes);
 }
 
 const MatrixXd of_unknowns = MatrixXd::Identity(2, 2);
@@ -81,11 +81,11 @@ TEST(Confidence, ALineThatSaysNothingChangesNoInterval) {
   Evidence evidence = lines_of_two_constants(3, 0);
   evidence.residuals.setConstant(3.0);
   const Expectation second_is_known{Eigen::Vector2d(0, 0), Eigen::Vector2d(10, 1e-9)};
-  const Scatter scatter = scatter_of(evidence, second_is_known);
-  const double before = fitting::half_widths(evidence, scatter, second_is_known, of_unknowns)[0];
+  const ResidualSpread residuals = residual_spread(evidence, second_is_known);
+  const double before = fitting::half_widths(evidence, residuals, second_is_known, of_unknowns)[0];
   const Evidence more{(VectorXd(4) << evidence.residuals, 0).finished(),
                       (MatrixXd(4, 2) << evidence.slopes, 0, 0).finished(), VectorXd::Zero(4)};
-  EXPECT_DOUBLE_EQ(fitting::half_widths(more, scatter, second_is_known, of_unknowns)[0], before);
+  EXPECT_DOUBLE_EQ(fitting::half_widths(more, residuals, second_is_known, of_unknowns)[0], before);
   EXPECT_LT(half_widths(more, second_is_known, of_unknowns)[0], 0.7 * before) << "as if it had been measured";
 }
 

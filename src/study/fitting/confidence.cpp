@@ -25,25 +25,26 @@ double student_t(double freedom) {
               (((3 * z2 + 19) * z2 + 17) * z2 - 15) / (384 * freedom * freedom * freedom));
 }
 
-Scatter scatter_of(const Evidence& evidence, const Expectation& expected) {
+ResidualSpread residual_spread(const Evidence& evidence, const Expectation& expected) {
   const Eigen::MatrixXd of_lines = evidence.slopes.transpose() * evidence.slopes;
   const Eigen::MatrixXd of_expectation = expected.deviation.cwiseAbs2().cwiseInverse().asDiagonal();
   const double determined = Eigen::MatrixXd(of_lines + of_expectation).ldlt().solve(of_lines).trace();
   const double freedom = std::max(1.0, static_cast<double>(evidence.slopes.rows()) - determined);
   const double mean_square = evidence.residuals.squaredNorm() / freedom;
-  return mean_square <= largest_by_chance(freedom) ? Scatter{1.0, gaussian} : Scatter{mean_square, student_t(freedom)};
+  return mean_square <= largest_by_chance(freedom) ? ResidualSpread{1.0, gaussian}
+                                                   : ResidualSpread{mean_square, student_t(freedom)};
 }
 
-Eigen::VectorXd half_widths(const Evidence& evidence, const Scatter& scatter, const Expectation& expected,
+Eigen::VectorXd half_widths(const Evidence& evidence, const ResidualSpread& residuals, const Expectation& expected,
                             const Eigen::MatrixXd& value_slopes) {
-  const Eigen::MatrixXd of_lines = evidence.slopes.transpose() * evidence.slopes / scatter.variance;
+  const Eigen::MatrixXd of_lines = evidence.slopes.transpose() * evidence.slopes / residuals.variance;
   const Eigen::MatrixXd of_expectation = expected.deviation.cwiseAbs2().cwiseInverse().asDiagonal();
   const Eigen::LDLT<Eigen::MatrixXd> factors = Eigen::MatrixXd(of_lines + of_expectation).ldlt();
   const Eigen::MatrixXd spread = factors.solve(value_slopes.transpose());  // V G^T
   const Eigen::VectorXd variances = value_slopes.cwiseProduct(spread.transpose()).rowwise().sum();
   const Eigen::VectorXd shifts =
-      spread.transpose() * evidence.slopes.transpose() * evidence.mesh_errors / scatter.variance;
-  return scatter.t * (variances + shifts.cwiseAbs2()).cwiseSqrt();
+      spread.transpose() * evidence.slopes.transpose() * evidence.mesh_errors / residuals.variance;
+  return residuals.t * (variances + shifts.cwiseAbs2()).cwiseSqrt();
 }
 
 }  // namespace idiophone::fitting

@@ -22,7 +22,7 @@ struct Evidence {
 };
 
 /// How far the residuals of a fit spread the constants.
-struct Scatter {
+struct ResidualSpread {
   double variance = 1.0;  ///< of the residuals, s^2
   double t = 0.0;         ///< half-width of a 95 % interval over the deviation
 };
@@ -30,16 +30,16 @@ struct Scatter {
 /// The lines are as uncertain as they are said to be, s = 1 and t = 1.96, unless the residuals are larger than in 95 %
 /// of such fits (chi-squared). Then s^2 is the mean square of the residuals per degree of freedom, and t is Student's.
 /// The lines take the trace of (J^T J + 1/d^2)^-1 J^T J degrees of freedom for the constants.
-[[nodiscard]] Scatter scatter_of(const Evidence& evidence, const Expectation& expected);
+[[nodiscard]] ResidualSpread residual_spread(const Evidence& evidence, const Expectation& expected);
 
 /// Half-widths of the 95 % intervals of values that depend on the unknowns of all constants, those that keep their
 /// values included: t times the root of the diagonal of G V G^T, with V = (J^T J/s^2 + 1/d^2)^-1, and of the square of
 /// G V J^T e/s^2. G are the derivatives of the values by the unknowns. d are the expected deviations: a constant that
 /// the lines do not show is uncertain by d, and makes the others uncertain. e are the mesh's errors, which are of one
 /// sign, so that many lines do not make them smaller.
-/// @param scatter       of the lines that were fitted; a line that is only imagined does not change it
+/// @param residuals       of the lines that were fitted; a line that is only imagined does not change it
 /// @param value_slopes  G, [values x constants]
-[[nodiscard]] Eigen::VectorXd half_widths(const Evidence& evidence, const Scatter& scatter, const Expectation& expected,
-                                          const Eigen::MatrixXd& value_slopes);
+[[nodiscard]] Eigen::VectorXd half_widths(const Evidence& evidence, const ResidualSpread& residuals,
+                                          const Expectation& expected, const Eigen::MatrixXd& value_slopes);
 
 }  // namespace idiophone::fitting

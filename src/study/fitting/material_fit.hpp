@@ -69,7 +69,7 @@ class MaterialFit {
   [[nodiscard]] Eigen::VectorXd held_constants() const;
   [[nodiscard]] FurtherModes further_modes();
   [[nodiscard]] std::pair<Eigen::Index, double> narrowest(const FurtherModes& modes, const Evidence& known,
-                                                          const Scatter& scatter,
+                                                          const ResidualSpread& residuals,
                                                           const Eigen::RowVectorXd& combination) const;
   [[nodiscard]] FurtherLine further_line(const FurtherModes& modes, Eigen::Index mode, Eigen::Index constant,
                                          double half_width) const;

@@ -52,7 +52,7 @@ Evidence MaterialFit::evidence() const {
 /// Of the 95 % intervals of what has these derivatives by the unknowns.
 Eigen::VectorXd MaterialFit::widths_by_lines(const Eigen::MatrixXd& slopes) const {
   const Evidence known = evidence();
-  return half_widths(known, scatter_of(known, expected_), expected_, slopes);
+  return half_widths(known, residual_spread(known, expected_), expected_, slopes);
 }
 
 /// Adds the constant whose change makes the lines fit best, if it does so beyond chance: an F test at 5 %.

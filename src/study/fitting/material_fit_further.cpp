@@ -44,12 +44,12 @@ void MaterialFit::look_further(Identification& result) {
   const Eigen::MatrixXd of_values = value_slopes(constants_, material_);
   result.looked_up_to = modes.frequencies[modes.frequencies.size() - 1];
   Evidence known = evidence();
-  const Scatter scatter = scatter_of(known, expected_);
+  const ResidualSpread residuals = residual_spread(known, expected_);
   for (Eigen::Index k = 0; k < held.size(); ++k) {
     const Eigen::RowVectorXd constant = held[k] * Eigen::RowVectorXd::Unit(held.size(), k);
-    double width = half_widths(known, scatter, expected_, constant)[0];
+    double width = half_widths(known, residuals, expected_, constant)[0];
     for (int lines = 0; lines < most_lines && width > undetermined; ++lines) {
-      const auto [mode, narrowed] = narrowest(modes, known, scatter, constant);
+      const auto [mode, narrowed] = narrowest(modes, known, residuals, constant);
       if (narrowed > worthwhile * width) {
         break;
       }
@@ -57,7 +57,7 @@ void MaterialFit::look_further(Identification& result) {
       modes.is_measured[static_cast<std::size_t>(mode)] = true;
       known = with_line(known, modes.slopes.row(mode), modes.mesh_errors[mode]);
       result.further.push_back(
-          further_line(modes, mode, k, half_widths(known, scatter, expected_, of_values.row(k))[0]));
+          further_line(modes, mode, k, half_widths(known, residuals, expected_, of_values.row(k))[0]));
     }
     is_promised_[static_cast<std::size_t>(k)] = held[k] > 0 && width <= undetermined;
   }
@@ -102,13 +102,13 @@ MaterialFit::FurtherModes MaterialFit::further_modes() {
 /// The mode whose line leaves the smallest interval of a combination of the unknowns, and its half-width; infinite if
 /// all are measured.
 std::pair<Eigen::Index, double> MaterialFit::narrowest(const FurtherModes& modes, const Evidence& known,
-                                                       const Scatter& scatter,
+                                                       const ResidualSpread& residuals,
                                                        const Eigen::RowVectorXd& combination) const {
   std::pair<Eigen::Index, double> best{0, std::numeric_limits<double>::infinity()};
   for (Eigen::Index m = 0; m < modes.slopes.rows(); ++m) {
     if (!modes.is_measured[static_cast<std::size_t>(m)]) {
       const Evidence more = with_line(known, modes.slopes.row(m), modes.mesh_errors[m]);
-      const double width = half_widths(more, scatter, expected_, combination)[0];
+      const double width = half_widths(more, residuals, expected_, combination)[0];
       best = width < best.second ? std::pair{m, width} : best;
     }
   }
