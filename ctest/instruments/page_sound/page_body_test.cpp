@@ -3,8 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <complex>
 #include <numbers>
+
+#include "heard_sound.hpp"
 
 namespace idiophone::page_sound {
 
@@ -40,33 +41,6 @@ std::vector<double> rendered(PageBody& body, std::int64_t first, std::size_t sam
   return sound;
 }
 
-double loudness(std::span<const double> sound) {
-  double power = 0.0;
-  for (const double value : sound) {
-    power += value * value;
-  }
-  return std::sqrt(power / static_cast<double>(sound.size()));
-}
-
-/// The frequency of the strongest partial near a frequency, Hz.
-double pitch(std::span<const double> sound, double near) {
-  double strongest = 0.0, found = 0.0;
-  for (double cents = -30.0; cents <= 30.0; cents += 1.0) {
-    const double frequency = near * std::exp2(cents / 1200.0);
-    std::complex<double> sum = 0.0;
-    for (std::size_t i = 0; i < sound.size(); ++i) {
-      const double share = static_cast<double>(i) / static_cast<double>(sound.size());
-      sum += std::pow(std::sin(std::numbers::pi * share), 2) * sound[i] *
-             std::polar(1.0, -2.0 * std::numbers::pi * frequency * static_cast<double>(i) / rate);
-    }
-    if (std::abs(sum) > strongest) {
-      strongest = std::abs(sum);
-      found = frequency;
-    }
-  }
-  return found;
-}
-
 }  // namespace
 
 TEST(PageBody, BowedStringSingsAtItsPitchUntilTheBowIsLifted) {
@@ -77,13 +51,14 @@ TEST(PageBody, BowedStringSingsAtItsPitchUntilTheBowIsLifted) {
   (void)rendered(body, 0, rate / 2);
   const std::vector<double> singing = rendered(body, rate / 2, rate / 2);
   const std::span<const double> all(singing);
-  EXPECT_NEAR(loudness(all.first(rate / 4)) / loudness(all.last(rate / 4)), 1.0, 0.05);
-  EXPECT_NEAR(1200.0 * std::log2(pitch(singing, 196.0) / 196.0), 0.0, 10.0);
+  EXPECT_NEAR(support::root_mean_square(all.first(rate / 4)) / support::root_mean_square(all.last(rate / 4)), 1.0,
+              0.05);
+  EXPECT_NEAR(1200.0 * std::log2(support::pitch(singing, 192.6, 199.4, rate) / 196.0), 0.0, 10.0);
 
   body.lift_bow(1);
   (void)rendered(body, rate, rate / 2);  // the other modes have faded then
-  const double before = loudness(rendered(body, rate * 3 / 2, rate / 4));
-  const double after = loudness(rendered(body, rate * 7 / 4, rate / 4));
+  const double before = support::root_mean_square(rendered(body, rate * 3 / 2, rate / 4));
+  const double after = support::root_mean_square(rendered(body, rate * 7 / 4, rate / 4));
   EXPECT_NEAR(std::log(before / after) / 0.25, string.decay.front(), 0.1 * string.decay.front());
 }
 
@@ -94,7 +69,7 @@ TEST(PageBody, IsSilentUntilItIsStruckAndAfterItHasFaded) {
   EXPECT_FALSE(body.render(0, sound));
   EXPECT_EQ(sound.front(), 7.0);
   body.strike(128, resonators::ForceCurve(10, resonators::linear_piece(1.0, 1.0)), string.place);
-  EXPECT_GT(loudness(rendered(body, 128, 4096)), 0.0);
+  EXPECT_GT(support::root_mean_square(rendered(body, 128, 4096)), 0.0);
   (void)rendered(body, 4096 + 128, 50 * rate);
   EXPECT_FALSE(body.render(4096 + 128 + 50 * rate, sound));
 }

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "heard_sound.hpp"
+
 namespace idiophone::voices {
 
 namespace {
@@ -64,14 +66,6 @@ std::vector<double> sound_of(ProxyVoices& voices, std::size_t frames, std::size_
   return sound;
 }
 
-double root_mean_square(std::span<const double> sound) {
-  double sum = 0.0;
-  for (const double sample : sound) {
-    sum += sample * sample;
-  }
-  return std::sqrt(sum / static_cast<double>(sound.size()));
-}
-
 /// Squared magnitude at a frequency of a piece of sound, with a Hann window.
 double power_at(std::span<const double> sound, double frequency) {
   double real = 0.0, imaginary = 0.0;
@@ -122,9 +116,9 @@ TEST(ProxyVoices, BodyThatPassesTheListenerShiftsItsPitchAndLevel) {
     const auto piece = std::span(heard).subspan(middle - half, 2 * half);
     EXPECT_NEAR(pitch_of(piece, 0.85 * pitch, 1.2 * pitch) / (shift * pitch), 1.0, 0.005) << time;
     const auto emitted = static_cast<std::size_t>((time + nearest / air) * sound_rate);
-    const double level = root_mean_square(std::span(own).subspan(emitted - 400, 800)) * nearest;
+    const double level = support::root_mean_square(std::span(own).subspan(emitted - 400, 800)) * nearest;
     // What arrives in a shorter time than it was emitted is stronger by as much.
-    EXPECT_NEAR(root_mean_square(piece) * distance / level, shift, 0.08) << time;
+    EXPECT_NEAR(support::root_mean_square(piece) * distance / level, shift, 0.08) << time;
   }
 }
 

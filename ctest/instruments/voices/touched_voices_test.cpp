@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <complex>
 #include <numbers>
 
+#include "heard_sound.hpp"
 #include "idiophone/instruments/resonators/point_contacts.hpp"
 #include "performance.hpp"
 #include "sheet_map.hpp"
@@ -73,26 +73,6 @@ sound_maps::SoundMap glass() {
   return map;
 }
 
-/// Of the strongest partial between two frequencies, Hz: the largest of the projections on sines.
-double pitch(std::span<const double> sound, double from, double to) {
-  double best = 0.0, largest = 0.0;
-  for (double frequency = from; frequency < to; frequency += 0.1) {
-    std::complex<double> sum = 0.0, phase = 1.0;
-    const std::complex<double> turn = std::polar(1.0, -2.0 * std::numbers::pi * frequency / rate);
-    for (std::size_t i = 0; i < sound.size(); ++i) {
-      const double window =
-          0.5 - 0.5 * std::cos(2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(sound.size()));
-      sum += window * sound[i] * phase;
-      phase *= turn;
-    }
-    if (std::abs(sum) > largest) {
-      largest = std::abs(sum);
-      best = frequency;
-    }
-  }
-  return best;
-}
-
 }  // namespace
 
 TEST(TouchedVoices, GlassThatIsRubbedSingsAtItsLowestMode) {
@@ -102,7 +82,7 @@ TEST(TouchedVoices, GlassThatIsRubbedSingsAtItsLowestMode) {
   const std::vector<double> sound = rendered(performance, 2 * rate);
   const std::span<const double> last = std::span(sound).last(16384);
   EXPECT_GT(power({last.begin(), last.end()}), 0.0);
-  EXPECT_LT(std::abs(1200.0 * std::log2(pitch(last, 590.0, 650.0) / 620.0)), 5.0);
+  EXPECT_LT(std::abs(1200.0 * std::log2(support::pitch(last, 590.0, 650.0, rate) / 620.0)), 5.0);
 }
 
 TEST(TouchedVoices, GiveTheSameBitsInBlocksOfAnySize) {
