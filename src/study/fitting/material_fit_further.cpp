@@ -46,7 +46,10 @@ void MaterialFit::look_further(Identification& result) {
   Evidence known = evidence();
   const ResidualSpread residuals = residual_spread(known, expected_);
   for (Eigen::Index k = 0; k < held.size(); ++k) {
-    const Eigen::RowVectorXd constant = held[k] * Eigen::RowVectorXd::Unit(held.size(), k);
+    if (held[k] == 0) {
+      continue;
+    }
+    const Eigen::RowVectorXd constant = Eigen::RowVectorXd::Unit(held.size(), k);
     double width = half_widths(known, residuals, expected_, constant)[0];
     for (int lines = 0; lines < most_lines && width > undetermined; ++lines) {
       const auto [mode, narrowed] = narrowest(modes, known, residuals, constant);
@@ -59,7 +62,7 @@ void MaterialFit::look_further(Identification& result) {
       result.further.push_back(
           further_line(modes, mode, k, half_widths(known, residuals, expected_, of_values.row(k))[0]));
     }
-    is_promised_[static_cast<std::size_t>(k)] = held[k] > 0 && width <= undetermined;
+    is_promised_[static_cast<std::size_t>(k)] = width <= undetermined;
   }
 }
 
