@@ -16,6 +16,7 @@
 #include "small_map.hpp"
 #include "small_radiation.hpp"
 #include "stored_readers.hpp"
+#include "voice_checksum.hpp"
 
 namespace idiophone::mutants {
 
@@ -130,15 +131,11 @@ TEST_F(Stored, Voice) {
   const auto mutate_contents = [](const File& file, Random& random) {
     mutate_bytes(file, random);
     std::string bytes = deck::read_text(file);
-    constexpr std::size_t sum = 20, contents = 28;  // where they begin
-    if (bytes.size() > contents) {
-      bytes.replace(0, sum, deck::read_text(file.parent_path() / "plate.voice"), 0, sum);
-      const std::uint64_t right = sound_maps::voice_checksum(std::span(bytes).subspan(contents));
-      for (std::size_t i = 0; i < sizeof(right); ++i) {
-        bytes[sum + i] = static_cast<char>(right >> (8U * i));
-      }
+    constexpr std::size_t head = 20;  // the magic and the version
+    if (bytes.size() > head) {
+      bytes.replace(0, head, deck::read_text(file.parent_path() / "plate.voice"), 0, head);
     }
-    write_text(file, bytes);
+    write_text(file, with_right_checksum(bytes));
   };
   expect_answers({.type = "voice_contents", .originals = {voice}, .mutate = mutate_contents, .read = read});
 }

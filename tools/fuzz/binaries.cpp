@@ -7,10 +7,12 @@
 #include "idiophone/foundation/deck/tree.hpp"
 #include "idiophone/foundation/spectra/sound_file.hpp"
 #include "idiophone/instruments/drivers/midi.hpp"
+#include "idiophone/instruments/sound_maps/voice_file.hpp"
 #include "osc_packet.hpp"
 #include "readers.hpp"
 #include "refusal.hpp"
 #include "triangles.hpp"
+#include "voice_checksum.hpp"
 
 namespace idiophone::fuzz {
 
@@ -71,6 +73,12 @@ void read_obj(const File& file) {
   }
 }
 
+/// A voice for engines. It gets a right checksum, so that its contents are read.
+void read_voice(const File& file) {
+  const std::string bytes = mutants::with_right_checksum(deck::read_text(file));
+  static_cast<void>(sound_maps::read_voice(bytes, file.string()));
+}
+
 /// The triangles of a glTF file.
 void read_model(const File& file) {
   gmsh::clear();
@@ -90,6 +98,7 @@ std::vector<Reader> binary_readers() {
           {"mesh", ".answer", read_mesh, mutated_answer, false},
           {"obj", ".obj", read_obj, mutants::mutated_text, false},
           {"model", ".glb", read_model, mutants::mutated_bytes, false},
+          {"voice", ".voice", read_voice, mutants::mutated_bytes},
           {"head", ".sofa", mutants::read_head, mutants::mutated_bytes}};
 }
 

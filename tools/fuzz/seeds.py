@@ -7,6 +7,7 @@ import struct
 import subprocess
 import wave
 
+import h5py
 import netCDF4
 import numpy
 
@@ -19,6 +20,7 @@ SMALL = {  # for readers of which no file is shipped
     "event": b"{at: [0, 0, 1], direction: [0, 0, 1], mass: 0.1, hardness: 1e8, speed: 1, body: plate}",
     "override": b"loads.tap.force=[0, 0, -3]",
     "lines": b"mass: 0.1\nuncertainty: 5\nlines: [202, {frequency: 405, uncertainty: 6, decay_time: 0.6}, 584]\n",
+    "velocities": b"frequency,x,y,z,vx,vx_imaginary,vy,vy_imaginary,vz,vz_imaginary\n800,0,0,1,0,0,0.6,-0.8,1e-3,0\n",
     "obj": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1/1 2//2 -1/1/1\nf 1 4 3\nf 2 3 4\n",
     "messages": b"\x90\x3c\x40\x00\xe0\x00\x40\x00",
     "midi": b"MThd\x00\x00\x00\x06\x00\x00\x00\x01\x00\x60MTrk\x00\x00\x00\x14\x00\xff\x51\x03\x0f\x42\x40\x00\x90\x3c\x40"
@@ -91,16 +93,27 @@ def put_tone(folder):
         file.writeframes(b"".join((i * 997 % 20000 - 10000).to_bytes(2, "little", signed=True) for i in range(2000)))
 
 
-def put_stored(folder, made, largest, program, environment):
-    """Small HDF5 files of each kind. They are made once, in the folder `made`."""
+def make_stored(made, program, environment):
+    """Makes small HDF5 files of each kind, and a voice."""
+    deck = HOME / "ctest/app/decks/simple.yaml"
+    recorded = ["--set", "output.surface_motion=true", "--set", "output.checkpoint.every_minutes=1e-9",
+                "--set", "time.duration=0.004"]
+
+    def call(*arguments):
+        subprocess.run([program, *arguments], env=environment, check=True, stdout=subprocess.DEVNULL)
+
+    for command, *options in ["run", *recorded], ["map", "--modes", "3"], ["radiate", "--modes", "1"]:
+        call(command, deck, "--output-folder", made, *options)
+    call("export", next(made.glob("*.map.h5")), "--voice", made / "small.voice")
+    with h5py.File(made / "velocities.h5", "w") as file:
+        file["frequency"], file["position"], file["velocity"] = [800.0], numpy.eye(3), numpy.ones((1, 3, 3, 2))
+
+
+def put_stored(folder, extension, made, largest, program, environment):
+    """Copies files of one extension that the program makes. They are made once, in the folder `made`."""
     if not made.exists():
-        deck = HOME / "ctest/app/decks/simple.yaml"
-        recorded = ["--set", "output.surface_motion=true", "--set", "output.checkpoint.every_minutes=1e-9",
-                    "--set", "time.duration=0.004"]
-        for command, *options in ["run", *recorded], ["map", "--modes", "3"], ["radiate", "--modes", "1"]:
-            subprocess.run([program, command, deck, "--output-folder", made, *options], env=environment, check=True,
-                           stdout=subprocess.DEVNULL)
-    for path in made.rglob("*.h5"):
+        make_stored(made, program, environment)
+    for path in made.rglob(f"*{extension}"):
         if path.stat().st_size < largest:
             shutil.copy(path, folder)
 
@@ -109,7 +122,7 @@ MADE = {"gltf": put_gltf, "model": put_gltf, "head": put_head, "sound": put_tone
 
 
 def put(reader, folder):
-    """Puts the files that the reader accepts into a folder, but for HDF5 files."""
+    """Puts the files that the reader accepts into a folder, but for those that the program makes."""
     for pattern in SHIPPED.get(reader, ()):
         for path in HOME.glob(pattern):
             shutil.copy(path, folder)

@@ -3,12 +3,14 @@
 #include <fstream>
 
 #include "hdf5_mutations.hpp"
+#include "idiophone/air/harmonic/radiation_file.hpp"
 #include "idiophone/files/reading_limit.hpp"
 #include "idiophone/foundation/deck/tree.hpp"
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/results/checkpoint.hpp"
 #include "readers.hpp"
 #include "stored_readers.hpp"
+#include "velocity_file.hpp"
 
 namespace idiophone::fuzz {
 
@@ -29,6 +31,16 @@ void read_checkpoint(const File& file) {
 
 void read_sound_map(const File& file) {
   static_cast<void>(sound_maps::read_sound_map(file));
+}
+
+void read_radiation(const File& file) {
+  static_cast<void>(harmonic::read_radiation(file));
+}
+
+void read_velocities(const File& file) {
+  deck::Mistakes mistakes;
+  static_cast<void>(harmonic::hdf5_velocities(file, mistakes));
+  mistakes.raise();
 }
 
 /// Half of the mutants have a right structure and wrong contents.
@@ -52,6 +64,8 @@ std::vector<Reader> stored_readers() {
           {"frames", ".h5", mutants::read_frames, mutated_file},
           {"recording", ".h5", mutants::read_recording, mutated_file},
           {"sound_map", ".h5", read_sound_map, mutated_file},
+          {"radiation", ".h5", read_radiation, mutated_file},
+          {"given_motion", ".h5", read_velocities, mutated_file},
           {"checkpoint", ".h5", read_checkpoint, mutated_file, false}};
 }
 

@@ -11,6 +11,7 @@
 #include "idiophone/timbre/language/live_sound.hpp"
 #include "idiophone/timbre/sonic_scene/sonic_scene.hpp"
 #include "readers.hpp"
+#include "velocity_file.hpp"
 
 namespace idiophone::fuzz {
 
@@ -75,6 +76,12 @@ void read_measured(const File& file) {
   static_cast<void>(measured_maps::read_measured_deck(file, {}));
 }
 
+void read_velocities(const File& file) {
+  deck::Mistakes mistakes;
+  static_cast<void>(harmonic::csv_velocities(file, mistakes));
+  mistakes.raise();
+}
+
 void read_scene(const File& file) {
   static_cast<void>(timbre::read_sonic_scene(file, {}));
 }
@@ -100,6 +107,7 @@ std::vector<Reader> text_readers() {
                                  {"ideal", ".yaml", read_ideal, mutants::mutated_text},
                                  {"lines", ".yaml", read_lines, mutants::mutated_text},
                                  {"measured", ".yaml", read_measured, mutants::mutated_text},
+                                 {"velocities", ".csv", read_velocities, mutants::mutated_text},
                                  {"sonic_scene", ".yaml", read_scene, mutants::mutated_text},
                                  {"timbre_tree", ".tt", read_tree, mutants::mutated_text},
                                  {"gltf", ".gltf", read_gltf, mutants::mutated_text}};
