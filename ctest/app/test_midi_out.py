@@ -112,6 +112,14 @@ class MidiOutput(program.TestCase):
         self.assertAlmostEqual(found[1][0] - found[0][0], 4800, delta=2)  # 0.1 s at 48 kHz
         self.assertAlmostEqual(found[2][0] - found[0][0], 12000, delta=2)
 
+    def test_what_is_no_note_is_not_left_out_silently(self):
+        (self.output / "score.yaml").write_text(SCORE)
+        (self.output / "knock.tt").write_text("(* 0 time)")
+        process = self.start("play", self.output / "knock.tt", "--score", self.output / "score.yaml", "--contacts", "fall.h5",
+                             "--midi-out", "monitor")
+        self.assertEqual(process.wait(timeout=60), program.FAILED)
+        self.assertIn("leave out --contacts", process.stdout.read())
+
     def test_says_which_inputs_there_are(self):
         self.listen()
         process = self.play(0.5, "fluid")

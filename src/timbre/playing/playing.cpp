@@ -42,6 +42,16 @@ void check(const PlaySettings& settings) {
   }
 }
 
+/// Where notes are all that is played, nothing may be left out silently.
+void check_notes_alone(const PlaySettings& settings, const score::Score& score) {
+  if (!settings.midi_out.empty() && settings.output.empty() &&
+      (!settings.contacts.empty() || !settings.motion.empty() || !score.contacts.empty())) {
+    throw std::runtime_error(
+        "--midi-out sends notes; leave out --contacts, --motion and the score's `contacts`, or write their sound by "
+        "--output");
+  }
+}
+
 int rate_of(const PlaySettings& settings, const Cast& cast) {
   return settings.rate.value_or(cast.decks.empty() ? usual_rate : cast.decks.front().audio.rate);
 }
@@ -179,6 +189,7 @@ Performance play(const PlaySettings& settings) {
   }
   Cast cast = read_cast(settings);
   score::Score score = score_of(settings, cast);
+  check_notes_alone(settings, score);
   Performance done;
   if (settings.midi_out.empty() || !settings.output.empty()) {
     done = sound(settings, std::move(cast), score);
