@@ -2,34 +2,21 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
 
-#include "idiophone/files/attributes.hpp"
 #include "idiophone/files/format.hpp"
 #include "idiophone/files/hdf5_dataset.hpp"
 #include "idiophone/files/hdf5_group.hpp"
 #include "idiophone/files/reading.hpp"
+#include "recording_header.hpp"
 #include "segmented_motion.hpp"
 #include "surface_motion_paths.hpp"
 
 namespace idiophone::results {
 
 namespace {
-
-/// Contents of a damaged file can be anything.
-void require(bool condition, const std::filesystem::path& path, const std::string& problem) {
-  if (!condition) {
-    throw std::runtime_error(fmt::format("{}: {}", path.string(), problem));
-  }
-}
-
-bool has_dataset(hid_t file, const std::string& path) {
-  const auto paths = hdf5::datasets_below(file, "/");
-  return std::ranges::find(paths, path) != paths.end();
-}
 
 hdf5::Identifier open_table(hid_t file, const std::string& name, const std::vector<hsize_t>& inner,
                             const std::filesystem::path& path) {
@@ -43,55 +30,6 @@ hdf5::Identifier open_table(hid_t file, const std::string& name, const std::vect
             fmt::format("{} has rows of {}, expected {}", name, shape[i + 1], inner[i]));
   }
   return table;
-}
-
-double number_or(hid_t file, const std::string& name, double otherwise) {
-  return hdf5::has(file, name) ? hdf5::number_of(file, name) : otherwise;
-}
-
-Origin read_origin(hid_t file, const std::filesystem::path& path) {
-  Origin origin{.name = path.stem().string(), .code_version = "", .deck_text = "", .overrides = {}};
-  for (const auto& [name, text] : {std::pair("name", &origin.name), std::pair("code_version", &origin.code_version)}) {
-    if (hdf5::has(file, name)) {
-      *text = hdf5::text_of(file, name);
-    }
-  }
-  if (has_dataset(file, "/deck")) {
-    origin.deck_text = hdf5::text_in(file, "/deck");
-    origin.overrides = hdf5::texts_in(file, "/overrides");
-  }
-  return origin;
-}
-
-std::vector<surface::BodyOffsets> read_bodies(hid_t file, const std::filesystem::path& path) {
-  if (!has_dataset(file, surface_motion::body_names)) {
-    return {{.name = "body"}};
-  }
-  const auto numbers = [&](const std::string& name) {
-    const auto dataset = hdf5::open_dataset(file, name);
-    return hdf5::read<std::int32_t>(dataset.id(), hdf5::whole(dataset.id()));
-  };
-  const auto names = hdf5::texts_in(file, surface_motion::body_names);
-  const auto triangles = numbers(surface_motion::first_triangles);
-  const auto vertices = numbers(surface_motion::first_vertices);
-  require(triangles.size() == names.size() && vertices.size() == names.size(), path, "/bodies contradicts itself");
-  std::vector<surface::BodyOffsets> bodies;
-  for (std::size_t b = 0; b < names.size(); ++b) {
-    bodies.push_back({names[b], triangles[b], vertices[b]});
-  }
-  return bodies;
-}
-
-/// @param width  numbers in a row
-std::vector<double> read_obstacles(hid_t file, const std::string& name, std::size_t width,
-                                   const std::filesystem::path& path) {
-  if (!has_dataset(file, name)) {
-    return {};
-  }
-  const auto dataset = hdf5::open_dataset(file, name);
-  auto numbers = hdf5::read<double>(dataset.id(), hdf5::whole(dataset.id()));
-  require(numbers.size() % width == 0, path, fmt::format("{} does not hold {} numbers for each", name, width));
-  return numbers;
 }
 
 /// What a recording with segments must not have beside them.
@@ -118,7 +56,6 @@ struct SurfaceMotionReader::State {
 
   void read() {
     files::check_format(file.id(), files::surface_motion_format, path);
-    read_rate();
     if (SegmentedMotion::is_in(file.id())) {
       read_segments();
       return;
@@ -135,7 +72,8 @@ struct SurfaceMotionReader::State {
 
   void read_segments() {
     refuse_beside_segments(file.id(), path);
-    const auto fade_rows = static_cast<std::int64_t>(std::llround(surface::fade_of_changes * header.rate));
+    const double rate = read_recording_rate(file.id(), path);
+    const auto fade_rows = static_cast<std::int64_t>(std::llround(surface::fade_of_changes * rate));
     segments = std::make_unique<const SegmentedMotion>(file.id(), path, fade_rows);
     rows = segments->rows();
     triangle_count = segments->triangles();
@@ -164,36 +102,9 @@ struct SurfaceMotionReader::State {
             fmt::format("/reference does not have {} rows, one for each vertex", vertex_count));
   }
 
-  void read_rate() {
-    require(hdf5::has(file.id(), "rate"), path, "the attribute rate (Hz) is missing");
-    header.rate = hdf5::number_of(file.id(), "rate");
-    require(header.rate >= 2000.0 && header.rate <= 1e6 && header.rate == std::floor(header.rate), path,
-            fmt::format("the rate has to be a whole number from 2000 to 1000000 Hz, not {}", header.rate));
-  }
-
   void read_header() {
-    const hid_t id = file.id();
-    header.origin = read_origin(id, path);
-    header.first_sample = hdf5::has(id, "first_sample") ? hdf5::integer_of(id, "first_sample") : 0;
-    require(header.first_sample <= 0 && header.first_sample > -1000000, path,
-            fmt::format("first_sample has to be at most 0 and above -1000000, not {}", header.first_sample));
-    header.samples = hdf5::has(id, "samples") ? hdf5::integer_of(id, "samples") : rows - 1 + header.first_sample;
-    header.air_density = number_or(id, "air_density", 1.21);
-    header.air_speed = number_or(id, "air_speed", 343.0);
-    require(header.air_density > 0 && std::isfinite(header.air_density) && header.air_speed > 0 &&
-                std::isfinite(header.air_speed),
-            path, "air_density (kg/m3) and air_speed (m/s) have to be above 0");
-    header.bodies = read_bodies(id, path);
-    header.obstacle_triangles = read_obstacles(id, surface_motion::obstacle_triangles, 9, path);
-    header.half_spaces = read_obstacles(id, surface_motion::half_spaces, 6, path);
-    for (std::size_t b = 0; b < header.bodies.size(); ++b) {
-      const surface::BodyOffsets zero{};
-      const surface::BodyOffsets& before = b == 0 ? zero : header.bodies[b - 1];
-      const surface::BodyOffsets& body = header.bodies[b];
-      require(body.first_triangle >= before.first_triangle && body.first_triangle < triangle_count &&
-                  body.first_vertex >= before.first_vertex && body.first_vertex < vertex_count,
-              path, fmt::format("/bodies: '{}' begins outside of the surface", body.name));
-    }
+    header =
+        read_recording_header(file.id(), path, {.rows = rows, .triangles = triangle_count, .vertices = vertex_count});
   }
 };
 
