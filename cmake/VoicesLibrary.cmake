@@ -16,4 +16,8 @@ foreach(kind IN ITEMS STATIC SHARED) # for C++; for C and languages that call C
     ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/engines LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/engines)
   target_include_directories(idiophone_voices_${name} INTERFACE include)
 endforeach()
-target_link_options(idiophone_voices_shared PRIVATE -Wl,--no-undefined $<$<BOOL:${IDIOPHONE_SANITIZE}>:-fsanitize=${IDIOPHONE_SANITIZE}>)
+if(IDIOPHONE_SANITIZE)
+  target_link_options(idiophone_voices_shared PRIVATE -fsanitize=${IDIOPHONE_SANITIZE})
+else()
+  target_link_options(idiophone_voices_shared PRIVATE -Wl,--no-undefined) # with a sanitizer, the program has its functions
+endif()
