@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
@@ -43,6 +44,19 @@ TEST(Dense, LeastSquaresLeavesARestThatIsOrthogonalToAllColumns) {
   const Eigen::VectorXd found = least_squares(line, wanted);
   EXPECT_LT((line.transpose() * (line * found - wanted)).norm(), 1e-13);
   EXPECT_NEAR(found[1], 1.1, 1e-14);
+}
+
+TEST(Dense, PrincipalAxesAreThoseOfATurnedBox) {
+  const Eigen::Matrix3d turn = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, -2, 3).normalized()).matrix();
+  std::vector<Eigen::Vector3d> corners;
+  for (int corner = 0; corner < 8; ++corner) {
+    corners.emplace_back(
+        turn * Eigen::Vector3d((corner & 1) != 0 ? 1 : 5, (corner & 2) != 0 ? 1 : 2, (corner & 4) != 0 ? 9 : 0));
+  }
+  const Eigen::Matrix3d axes = principal_axes(corners);
+  for (const auto& [axis, column] : {std::pair(1, 0), std::pair(0, 1), std::pair(2, 2)}) {
+    EXPECT_NEAR(std::abs(axes.col(column).dot(turn.col(axis))), 1, 1e-14) << "edges of 4, 1 and 9 m";
+  }
 }
 
 }  // namespace

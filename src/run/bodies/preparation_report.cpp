@@ -25,13 +25,14 @@ void report_modes(const modal_bodies::ModalBasis& basis) {
 }
 
 /// The principal stresses of a body at rest, and how fast waves travel along the largest as on a string or a membrane.
-void report_prestress(const scene::Body& body, const scene::Material& material) {
+/// @param density  mean, kg/m3
+void report_prestress(const scene::Body& body, double density) {
   const Eigen::Vector3d stresses = dense::eigenpairs(Eigen::MatrixXd(body.initial_stress())).values;
   spdlog::info("  prestress: principal stresses of {:.6g}, {:.6g} and {:.6g} Pa", stresses[2], stresses[1],
                stresses[0]);
   if (stresses[2] > 0) {
     spdlog::info("  transverse waves along the largest travel at {:.5g} m/s without stiffness",
-                 std::sqrt(stresses[2] / material.density));
+                 std::sqrt(stresses[2] / density));
   }
 }
 
@@ -62,7 +63,7 @@ void report(const Preparation& ready) {
                  mesh.elements, element::name(body.element), mesh.triangles, ready.initial_state.masses[b]);
     report_materials(ready, b);
     if (body.prestress) {
-      report_prestress(body, ready.scene.materials[body.material]);
+      report_prestress(body, ready.initial_state.masses[b] / mesh.volume);
     }
     if (const auto basis = ready.modal_bases.find(b); basis != ready.modal_bases.end()) {
       report_modes(basis->second);

@@ -1,6 +1,5 @@
 #include "idiophone/solids/mesh/statistics.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -8,6 +7,7 @@
 #include <limits>
 
 #include "element_shape.hpp"
+#include "idiophone/foundation/dense/dense.hpp"
 #include "idiophone/foundation/element/reference.hpp"
 
 namespace idiophone::mesh {
@@ -28,21 +28,9 @@ OrientedBox box_along(const Mesh& mesh, const Eigen::Matrix3d& axes) {
   return {axes, box.sizes()};
 }
 
-Eigen::Matrix3d principal_axes(const Mesh& mesh) {
-  Vector3 mean = Vector3::Zero();
-  for (const Vector3& node : mesh.nodes) {
-    mean += node / static_cast<double>(mesh.nodes.size());
-  }
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Vector3& node : mesh.nodes) {
-    spread += (node - mean) * (node - mean).transpose();
-  }
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(spread).eigenvectors();
-}
-
 /// The smaller of the two boxes: the principal axes of a square or a cube are arbitrary.
 OrientedBox smaller_box(const Mesh& mesh) {
-  const OrientedBox principal = box_along(mesh, principal_axes(mesh));
+  const OrientedBox principal = box_along(mesh, dense::principal_axes(mesh.nodes));
   const OrientedBox coordinate = box_along(mesh, Eigen::Matrix3d::Identity());
   return coordinate.extents.prod() <= principal.extents.prod() ? coordinate : principal;
 }

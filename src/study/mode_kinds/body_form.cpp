@@ -33,18 +33,6 @@ BodyForm box_along(std::span<const Vector3> nodes, const Eigen::Matrix3d& axes) 
   return form;
 }
 
-Eigen::Matrix3d principal_axes(std::span<const Vector3> nodes) {
-  Vector3 mean = Vector3::Zero();
-  for (const Vector3& node : nodes) {
-    mean += node / static_cast<double>(nodes.size());
-  }
-  Eigen::MatrixXd spread = Eigen::MatrixXd::Zero(3, 3);
-  for (const Vector3& node : nodes) {
-    spread += (node - mean) * (node - mean).transpose();
-  }
-  return dense::eigenpairs(spread).vectors;
-}
-
 /// Whether all slices of a body across the last axis of its box have round outlines.
 bool is_round(std::span<const Vector3> nodes, const BodyForm& box) {
   constexpr std::size_t slices = 4, sectors = 12;
@@ -96,7 +84,7 @@ bool is_rectangular(std::span<const Vector3> nodes, const BodyForm& box) {
 
 BodyForm form_of(std::span<const Vector3> nodes) {
   const BodyForm along_coordinates = box_along(nodes, Eigen::Matrix3d::Identity());
-  const BodyForm principal = box_along(nodes, principal_axes(nodes));
+  const BodyForm principal = box_along(nodes, dense::principal_axes(nodes));
   // The principal axes of a square or a disc are arbitrary.
   BodyForm box = along_coordinates.extents.prod() <= 1.001 * principal.extents.prod() ? along_coordinates : principal;
   for (const BodyForm& of_box : {along_coordinates, principal}) {

@@ -3,6 +3,7 @@
 // here once for all modules.
 
 #include <Eigen/Core>
+#include <span>
 
 namespace idiophone::dense {
 
@@ -23,6 +24,11 @@ struct Eigenpairs {
 /// A^(-1/2).
 /// @param matrix  A: symmetric and positive definite; only its lower triangle is read
 [[nodiscard]] Eigen::MatrixXd inverse_root(const Eigen::MatrixXd& matrix);
+
+/// Unit vectors along the axes of inertia of points of equal weight, one column each. The points spread least along the
+/// first one.
+/// @param points  at least one, m
+[[nodiscard]] Eigen::Matrix3d principal_axes(std::span<const Eigen::Vector3d> points);
 
 /// x with the least |A x - b|, by a QR decomposition with pivots.
 /// @param matrix  A [rows x unknowns]
