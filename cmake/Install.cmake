@@ -61,4 +61,5 @@ install(TARGETS idiophone_voices_static idiophone_voices_shared ARCHIVE DESTINAT
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
 install(FILES include/idiophone/voices.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/idiophone)
 install(DIRECTORY include/idiophone/instruments/engines DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/idiophone/instruments)
+install(FILES include/idiophone/instruments/touching/contact_events.hpp DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/idiophone/instruments/touching)
 install(DIRECTORY LICENSES DESTINATION ${CMAKE_INSTALL_DATADIR}/idiophone)

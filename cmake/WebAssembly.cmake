@@ -1,4 +1,4 @@
-# The modes and bows of the Sonic Explorer in WebAssembly, from the same files as those of `play`. clang makes it with WASI's
+# The modes, bows and contacts of the Sonic Explorer in WebAssembly, from the same files as those of `play`. clang makes it with WASI's
 # libraries (scripts/install_dependencies webassembly). The emscripten of Debian 12 can't: its standard library lacks the
 # algorithms of std::ranges.
 set(IDIOPHONE_WEBASSEMBLY AUTO CACHE STRING "Give the Sonic Explorer WebAssembly: ON, OFF, or AUTO (if clang makes it)")
@@ -6,9 +6,10 @@ set_property(CACHE IDIOPHONE_WEBASSEMBLY PROPERTY STRINGS AUTO ON OFF)
 
 set(webassembly ${PROJECT_BINARY_DIR}/webassembly)
 set(sources damped_oscillator smooth_rise friction bow resonator_bank chosen_groups bodies_in_contact contact_forces point_contacts
-  stretched_modes stretching_energy stretching_order)
+  stretched_modes stretching_energy stretching_order force running_stroke)
 list(TRANSFORM sources PREPEND resonators/)
-list(APPEND sources score/score_values page_sound/page_bow page_sound/page_body page_sound/exports)
+list(APPEND sources score/score_values touching/contact_track touching/led_stroke touching/surface_pair touching/contact_sounds
+  page_sound/page_bow page_sound/page_body page_sound/page_contacts page_sound/exports)
 list(TRANSFORM sources REPLACE "(.+)" "#include \"${PROJECT_SOURCE_DIR}/src/instruments/\\1.cpp\"")
 list(JOIN sources "\n" sources)
 file(CONFIGURE OUTPUT ${webassembly}/all.cpp CONTENT "${sources}\n")
@@ -48,7 +49,7 @@ elseif(IDIOPHONE_WEBASSEMBLY STREQUAL ON)
   message(FATAL_ERROR "IDIOPHONE_WEBASSEMBLY is ON, but clang makes no WebAssembly here: scripts/install_dependencies webassembly")
 else()
   file(CONFIGURE OUTPUT ${code} CONTENT "")
-  message(NOTICE "Without WebAssembly (IDIOPHONE_WEBASSEMBLY is ${IDIOPHONE_WEBASSEMBLY}): the Sonic Explorer has no bow, and computes "
+  message(NOTICE "Without WebAssembly (IDIOPHONE_WEBASSEMBLY is ${IDIOPHONE_WEBASSEMBLY}): the Sonic Explorer has no bow, lets nothing fall, and computes "
     "modes in JavaScript, far fewer in real time. Its packages: scripts/install_dependencies webassembly")
 endif()
 

@@ -27,7 +27,7 @@ endfunction()
 
 foreach(name IN ITEMS same_bits listen recorded_body damage stopping output_lock wrong_input collectives outputs listeners
         physics visibility movie modes modal_bodies map mesh_notes contact radiation radiate waves table1 install answers
-        explore explorer_page made_bodies abx report site play strokes proxies rooms stage fitting bench timbre music timbre_faust
+        explore explorer_page made_bodies falling drop abx report site play strokes proxies rooms stage fitting bench timbre music timbre_faust
         timbre_run midi_out evolve_page gltf measured_map fracture screens diffraction changing_triangles proxy_bodies
         instruction_set packages joints hertz failing_calls scale rescale)
   idiophone_app_test(${name})
@@ -44,7 +44,7 @@ endif()
 # What tests of web pages need of npm. A browser has several processes, so two such tests at once are enough.
 add_test(NAME app.web_modules COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/app/web.py)
 set_tests_properties(app.web_modules PROPERTIES FIXTURES_SETUP web_modules COST 100 ENVIRONMENT "${IDIOPHONE_APP_ENVIRONMENT}")
-set_tests_properties(app.explore app.explorer_page app.made_bodies app.abx app.bench app.report app.site app.evolve_page app.gltf
+set_tests_properties(app.explore app.explorer_page app.made_bodies app.falling app.drop app.abx app.bench app.report app.site app.evolve_page app.gltf
   PROPERTIES FIXTURES_REQUIRED web_modules PROCESSORS 2 COST 80)
 
 # A short form of tools/torment, always with the same trials.

@@ -64,6 +64,7 @@ for (let body = 0; body < bodies; ++body) {
   for (const control of await page.locator("#panel input[type=range]:visible").all()) {
     const {id, min, max, value} = await control.evaluate(input => ({id: input.id, min: input.min, max: input.max, value: input.value}));
     if (body > 0 && ["speed", "mass", "hardness", "volume"].includes(id)) continue;  // they do not belong to a body
+    if (id.startsWith("drop-")) continue;  // no part of a blow
     moved.push(id);
     for (const to of [min, max]) {
       await control.fill(to);

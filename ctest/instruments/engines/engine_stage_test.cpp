@@ -9,7 +9,6 @@
 #include <numbers>
 
 #include "idiophone/instruments/sound_maps/voice_file.hpp"
-#include "led_stroke.hpp"
 #include "performance.hpp"
 #include "shared_folder.hpp"
 #include "sheet_stage.hpp"
@@ -57,7 +56,7 @@ TEST(EngineStage, ABlowSoundsAsInPlayToTheBit) {
   score::Score score;
   score.listener.emplace().receivers = {{.channel = "ear", .position = {0.1, 0.3, 0.8}}};
   const score::HammerBlow struck{
-      .at = {0.06, 0.03, 0.0}, .direction = -Vector3::UnitZ(), .hammer = impact_of(0.02, 0.01, steel, steel)};
+      .at = {0.06, 0.03, 0.0}, .direction = -Vector3::UnitZ(), .hammer = touching::impact_of(0.02, 0.01, steel, steel)};
   score.events = {{.time = 0.25 * duration, .body = 0, .action = struck}};
   voices::Performance performance({sound_maps::sheet()}, score, rate);
   EXPECT_GT(loudest(found), 1e-3);
@@ -106,24 +105,6 @@ TEST(EngineStage, SlidingHasNoClicksAndNoRateOfThePhysics) {
   };
   EXPECT_GT(loudest(later(steady)), 0.0);
   EXPECT_LT(largest_step(later(trembling)), 3.0 * largest_step(later(steady)));
-}
-
-/// So nothing clicks when the engine stops telling.
-TEST(LedStroke, EachPieceRisesFromZeroAndFallsToZero) {
-  score::Stroke stroke = stroke_of(score::Stroke::Kind::scrape, 0.01, steel, steel);
-  stroke.speed = 0.5;
-  stroke.load = 0.6;
-  LedStroke led(stroke, 1, rate, 1000);
-  for (std::int64_t start : {1000L, 1000 + LedStroke::block}) {
-    const LedStroke::Piece piece = led.next(0);
-    EXPECT_EQ(piece.start, start);
-    ASSERT_EQ(std::ssize(piece.force), 2 * LedStroke::block);
-    const double largest = std::ranges::max(piece.force, {}, &resonators::ForcePiece::mean).mean;
-    EXPECT_LT(piece.force.front().mean, 0.01 * largest);
-    EXPECT_LT(piece.force.back().mean, 0.01 * largest);
-    const auto middle = std::span(piece.force).subspan(LedStroke::block - 64, 128);
-    EXPECT_GT(std::ranges::max(middle, {}, &resonators::ForcePiece::mean).mean, 0.01 * largest);
-  }
 }
 
 TEST(EngineStage, NeverLocksOrAllocatesInTheAudioThread) {
@@ -188,17 +169,6 @@ TEST(EngineStage, RefusesWhatIsNotThere) {
             "a contact has a number that is not finite or above 1e6");
   EXPECT_EQ(support::error_of([&] { stage.step(0.0); }), "a step takes 1e-5 to 1 s");
   EXPECT_EQ(support::error_of([] { EngineStage({}, {}, {steel}); }), "a stage needs a body");
-}
-
-/// A ball on a flat: 2.87 (m^2/(R E^2 v))^(1/5) (K. L. Johnson, Contact Mechanics, 1985, equation 11.24).
-TEST(SurfacePair, AnImpactTakesAsLongAsHertzSays) {
-  Surface flat;
-  flat.radius = 1e3;
-  const double mass = 0.033, speed = 2.0, modulus = 2e11 / (2.0 * (1.0 - 0.09));
-  const score::Hammer hammer = impact_of(2.0 * mass * speed, mass, steel, flat);
-  EXPECT_DOUBLE_EQ(hammer.speed, speed);
-  const double expected = 2.87 * std::pow(mass * mass / (steel.radius * modulus * modulus * speed), 0.2);
-  EXPECT_NEAR(hammer.contact_duration(), expected, 1e-3 * expected);
 }
 
 }  // namespace idiophone::engines

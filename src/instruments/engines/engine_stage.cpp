@@ -9,12 +9,14 @@
 #include <iterator>
 #include <utility>
 
-#include "contact_sounds.hpp"
+#include "idiophone/instruments/touching/contact_sounds.hpp"
+#include "idiophone/instruments/touching/vectors.hpp"
 #include "stage_bodies.hpp"
 #include "stage_checks.hpp"
-#include "vectors.hpp"
 
 namespace idiophone::engines {
+
+using touching::ContactForce, touching::ContactSounds, touching::vector_of;
 
 namespace {
 

@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "idiophone/instruments/touching/vectors.hpp"
 #include "idiophone/instruments/voices/voice.hpp"
-#include "vectors.hpp"
 
 namespace idiophone::engines {
+
+using touching::vector_of;
 
 namespace {
 

@@ -4,7 +4,7 @@
 #include <Eigen/Geometry>
 #include <optional>
 
-#include "idiophone/instruments/engines/contact_events.hpp"
+#include "idiophone/instruments/engines/engine_stage.hpp"
 #include "idiophone/instruments/resonators/point_forces.hpp"
 #include "idiophone/instruments/sound_maps/sound_map.hpp"
 #include "idiophone/instruments/voices/audience.hpp"

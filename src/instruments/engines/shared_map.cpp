@@ -4,9 +4,11 @@
 
 #include "idiophone/instruments/engines/engine_stage.hpp"
 #include "idiophone/instruments/sound_maps/voice_file.hpp"
-#include "vectors.hpp"
+#include "idiophone/instruments/touching/vectors.hpp"
 
 namespace idiophone::engines {
+
+using touching::triple_of;
 
 SharedMap read_map(const std::filesystem::path& file) {
   return std::make_shared<const sound_maps::SoundMap>(sound_maps::read_voice(file));

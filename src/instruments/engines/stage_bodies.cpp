@@ -7,7 +7,6 @@
 
 #include "map_loudness.hpp"
 #include "stage_checks.hpp"
-#include "vectors.hpp"
 
 namespace idiophone::engines {
 

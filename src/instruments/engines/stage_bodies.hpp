@@ -7,13 +7,15 @@
 #include <utility>
 #include <vector>
 
-#include "contact_sounds.hpp"
 #include "idiophone/instruments/engines/engine_stage.hpp"
+#include "idiophone/instruments/touching/contact_sounds.hpp"
 #include "idiophone/instruments/voices/sound_map_voices.hpp"
 #include "moving_body.hpp"
 #include "struck_bodies.hpp"
 
 namespace idiophone::engines {
+
+using touching::ContactForce;
 
 class StageBodies {
  public:

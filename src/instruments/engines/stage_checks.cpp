@@ -7,10 +7,11 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "surface_pair.hpp"
-#include "vectors.hpp"
+#include "idiophone/instruments/touching/vectors.hpp"
 
 namespace idiophone::engines {
+
+using touching::vector_of;
 
 namespace {
 
@@ -47,6 +48,21 @@ const std::vector<SharedMap>& checked(const std::vector<SharedMap>& bodies) {
   require(!bodies.empty(), "a stage needs a body");
   require(std::ranges::all_of(bodies, [](const SharedMap& map) { return map != nullptr; }), "a body has no map");
   return bodies;
+}
+
+void check_surface(const Surface& surface, std::size_t number) {
+  const auto between = [](double value, double least, double most) { return value >= least && value <= most; };
+  const auto check = [number](bool good, const char* what) {
+    require(good, fmt::format("surface {}: {}", number, what));
+  };
+  check(between(surface.young, 1e3, 1e13), "Young's modulus has to be from 1e3 to 1e13 Pa");
+  check(between(surface.poisson, -0.99, 0.5), "Poisson's ratio has to be from -0.99 to 0.5");
+  check(between(surface.radius, 1e-6, 1e3), "the radius has to be from 1e-6 to 1e3 m");
+  check(between(surface.height, 0.0, 0.1), "the height of the roughness has to be from 0 to 0.1 m");
+  check(between(surface.exponent, 0.0, 10.0), "the exponent of the roughness has to be from 0 to 10");
+  check(between(surface.shortest, 1e-7, 1.0) && between(surface.longest, surface.shortest, 10.0),
+        "wavelengths of the roughness have to be from 1e-7 to 10 m, the longest at least as long as the shortest");
+  check(between(surface.friction, 0.0, 10.0), "the friction has to be from 0 to 10");
 }
 
 std::vector<Surface> checked(std::vector<Surface> surfaces) {

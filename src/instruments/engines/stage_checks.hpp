@@ -20,6 +20,8 @@ void require(bool good, const char* problem);
 [[nodiscard]] const std::vector<SharedMap>& checked(const std::vector<SharedMap>& bodies);
 [[nodiscard]] std::vector<Surface> checked(std::vector<Surface> surfaces);
 
+/// @param number  for the message
+void check_surface(const Surface& surface, std::size_t number);
 void check_ears(std::span<const Triple> ears);
 /// @param bodies  of the stage
 void check_pose(std::size_t body, const Pose& pose, std::size_t bodies);

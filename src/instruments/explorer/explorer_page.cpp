@@ -94,8 +94,13 @@ json body_of(const sound_maps::SoundMap& map) {
                {"material_decay", web::encoded(map.material_decay)},
                {"radiation_decay", web::encoded(map.radiation_decay)},
                {"airDensity", map.air_density},
+               {"mass", map.mass},
                {"proxies", json::array()},
                {"listeners", json::array()}};
+  if (map.material) {
+    body["young"] = map.material->young;
+    body["poisson"] = map.material->poisson;
+  }
   for (const sound_maps::MapListener& listener : map.listeners) {
     body["listeners"].push_back({{"name", listener.name},
                                  {"delay", listener.delay},

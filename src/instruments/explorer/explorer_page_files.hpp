@@ -9,6 +9,6 @@
 namespace idiophone::explorer {
 
 extern const std::string_view page_template;            ///< index.html, with {{NAME}} where a file belongs
-extern const std::array<web::PageFile, 32> page_files;  ///< the others
+extern const std::array<web::PageFile, 42> page_files;  ///< the others
 
 }  // namespace idiophone::explorer

@@ -1,11 +1,15 @@
 // What the page calls (compiled_modes.js). Numbers go both ways through one list in the memory of WebAssembly.
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <iterator>
 #include <span>
 #include <utility>
 #include <vector>
 
 #include "page_body.hpp"
+#include "page_contacts.hpp"
 
 #ifdef __wasm__
 #define IDIOPHONE_EXPORT(name) extern "C" [[clang::export_name(name)]]
@@ -29,6 +33,8 @@ class Reader {
     return std::span(numbers()).subspan(std::exchange(at_, at_ + count), count);
   }
   double next() { return next(1).front(); }
+  touching::Triple triple() { return {next(), next(), next()}; }
+  std::array<std::int32_t, 2> pair() { return {static_cast<std::int32_t>(next()), static_cast<std::int32_t>(next())}; }
   Participation participation(std::size_t modes) {
     const std::span<const double> of_modes = next(modes);
     return {of_modes.begin(), of_modes.end()};
@@ -37,6 +43,33 @@ class Reader {
  private:
   std::size_t at_ = 0;
 };
+
+touching::ContactEvent next_event(Reader& reader) {
+  touching::ContactEvent event;
+  event.contact = static_cast<std::uint64_t>(reader.next());
+  event.phase = touching::ContactEvent::Phase::persist;
+  event.bodies = reader.pair();
+  event.surfaces = reader.pair();
+  event.point = reader.triple();
+  event.normal = reader.triple();
+  event.impulse = reader.next();
+  event.slip = reader.triple();
+  event.roll = reader.next();
+  event.mass = reader.next();
+  event.moment = reader.next();
+  return event;
+}
+
+void append(std::vector<double>& list, const touching::ContactForce& force) {
+  const auto& [start, at, direction, pieces] = force.force;
+  list.insert(list.end(), {static_cast<double>(force.bodies[0]), static_cast<double>(force.bodies[1]),
+                           static_cast<double>(start), at.x(), at.y(), at.z(), direction.x(), direction.y(),
+                           direction.z(), static_cast<double>(pieces.size())});
+  for (const auto part :
+       {&resonators::ForcePiece::mean, &resonators::ForcePiece::slope, &resonators::ForcePiece::begin}) {
+    std::ranges::transform(pieces, std::back_inserter(list), part);
+  }
+}
 
 }  // namespace
 
@@ -95,6 +128,44 @@ IDIOPHONE_EXPORT("render")
 bool render(PageBody* body, std::size_t channels, double first, std::size_t samples) {
   numbers().resize(samples * channels);
   return body->render(static_cast<std::int64_t>(first), numbers());
+}
+
+/// Numbers: Young's modulus, Poisson's ratio, radius, height of the roughness, friction [surfaces x 5].
+IDIOPHONE_EXPORT("make_contacts")
+PageContacts* make_contacts(std::size_t surfaces, int rate, std::size_t most_strokes, std::size_t most_forces,
+                            double seed) {
+  Reader reader;
+  std::vector<touching::Surface> made;
+  for (std::size_t i = 0; i < surfaces; ++i) {
+    touching::Surface& surface = made.emplace_back();
+    for (double* part : {&surface.young, &surface.poisson, &surface.radius, &surface.height, &surface.friction}) {
+      *part = reader.next();
+    }
+  }
+  return new PageContacts(std::move(made), rate, most_strokes, most_forces, static_cast<std::uint64_t>(seed));
+}
+
+/// Numbers: contact, bodies, surfaces, point, normal, impulse, slip, roll, mass, moment of each event. Afterwards:
+/// bodies, audio sample, place, direction, how many samples, and mean, slope and begin [samples] of each force.
+/// @return how many numbers there are afterwards
+IDIOPHONE_EXPORT("step_contacts")
+std::size_t step_contacts(PageContacts* contacts, std::size_t events, double start, double duration) {
+  Reader reader;
+  std::vector<touching::ContactEvent> happened;
+  for (std::size_t i = 0; i < events; ++i) {
+    happened.push_back(next_event(reader));
+  }
+  const auto forces = contacts->step(happened, static_cast<std::int64_t>(start), duration);
+  numbers().clear();
+  for (const touching::ContactForce& force : forces) {
+    append(numbers(), force);
+  }
+  return numbers().size();
+}
+
+IDIOPHONE_EXPORT("end_contacts")
+void end_contacts(PageContacts* contacts) {
+  delete contacts;
 }
 
 }  // namespace idiophone::page_sound

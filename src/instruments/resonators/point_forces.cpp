@@ -4,6 +4,7 @@
 #include <span>
 
 #include "idiophone/instruments/resonators/force.hpp"
+#include "idiophone/instruments/score/score.hpp"
 
 namespace idiophone::resonators {
 

@@ -9,13 +9,21 @@
 #include <string>
 #include <vector>
 
-#include "idiophone/instruments/engines/contact_events.hpp"
+#include "idiophone/instruments/touching/contact_events.hpp"
 
 namespace idiophone::sound_maps {
 struct SoundMap;
 }
 
 namespace idiophone::engines {
+
+using touching::ContactEvent, touching::Surface, touching::Triple;
+
+/// Where a body is: from the coordinates of its sound map to those of the world.
+struct Pose {
+  Triple position{};                          ///< of the origin of the map, m
+  std::array<double, 4> turn = {0, 0, 0, 1};  ///< unit quaternion x, y, z, w
+};
 
 /// A sound map that any number of bodies share.
 using SharedMap = std::shared_ptr<const sound_maps::SoundMap>;

@@ -4,8 +4,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "idiophone/foundation/types.hpp"
 #include "idiophone/instruments/resonators/force_piece.hpp"
-#include "idiophone/instruments/score/score.hpp"
+
+namespace idiophone::score {
+struct ScoreEvent;
+}
 
 namespace idiophone::resonators {
 

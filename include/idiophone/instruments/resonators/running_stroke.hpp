@@ -8,6 +8,7 @@
 #include "idiophone/foundation/lanes.hpp"
 #include "idiophone/instruments/resonators/damped_oscillator.hpp"
 #include "idiophone/instruments/resonators/point_forces.hpp"
+#include "idiophone/instruments/score/action.hpp"
 
 namespace idiophone::resonators {
 

@@ -4,10 +4,11 @@ const vertexShader = `#version 300 es
 in vec3 place;
 in vec3 shape;
 uniform mat4 camera;
+uniform mat4 pose;
 uniform float swing;
 out vec3 point;
 void main() {
-  point = place + swing * shape;
+  point = (pose * vec4(place + swing * shape, 1.0)).xyz;
   gl_Position = camera * vec4(point, 1.0);
 }`;
 
@@ -30,12 +31,13 @@ class View extends Camera {
     this.gl = canvas.getContext("webgl2", {antialias: true});
     if (!this.gl) throw new Error("This browser has no WebGL 2.");
     this.program = this.link();
-    this.uniforms = Object.fromEntries(["camera", "eye", "colour", "swing"].map(
+    this.uniforms = Object.fromEntries(["camera", "pose", "eye", "colour", "swing"].map(
       name => [name, this.gl.getUniformLocation(this.program, name)]));
     this.pace = new Pace();
     this.meshes = bodies.map(body => this.upload(body));
     this.ground = this.upload(this.groundUnder());
     this.shown = null;  // {body, mode}
+    this.poses = [];    // [bodies] to where they have moved, as camera(); of those that have not: nothing
     this.frames = 0;
     this.drawn = {time: 0, level: 0, moved: false};  // the last picture
     this.goHome();
@@ -76,6 +78,7 @@ class View extends Camera {
       for (const buffer of [old.vertices, old.shape, old.all.buffer]) gl.deleteBuffer(buffer);
     }
     this.meshes[index] = this.upload(this.bodies[index]);
+    this.poses[index] = undefined;
     this.ground = this.upload(this.groundUnder());
     this.coarse = this.sizes = null;
     this.changed = true;
@@ -99,9 +102,15 @@ class View extends Camera {
     });
   }
 
+  /// m
+  groundHeight() {
+    const {low, high} = boundsOf(this.bodies);
+    return low[2] - 0.003 * Math.max(...minus(high, low));
+  }
+
   groundUnder() {
     const {low, high} = boundsOf(this.bodies);
-    const margin = 0.3 * Math.max(...minus(high, low)), z = low[2] - 0.01 * margin;
+    const margin = 0.3 * Math.max(...minus(high, low)), z = this.groundHeight();
     const [x0, y0, x1, y1] = [low[0] - margin, low[1] - margin, high[0] + margin, high[1] + margin];
     return {vertices: new Float32Array([x0, y0, z, x1, y0, z, x1, y1, z, x0, y1, z]),
             triangles: new Uint32Array([0, 1, 2, 0, 2, 3])};
@@ -164,18 +173,19 @@ class View extends Camera {
     gl.useProgram(program);
     gl.uniformMatrix4fv(uniforms.camera, false, this.camera());
     gl.uniform3fv(uniforms.eye, this.eye());
-    const one = (mesh, colour, swing) => {
+    const one = (mesh, pose, colour, swing) => {
       const {buffer, count} = level > 0 ? mesh.coarse : mesh.all;
+      gl.uniformMatrix4fv(uniforms.pose, false, pose ?? View.unmoved);
       gl.uniform3fv(uniforms.colour, colour);
       gl.uniform1f(uniforms.swing, swing);
       gl.bindVertexArray(mesh.array);
       gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, buffer);
       gl.drawElements(gl.TRIANGLES, count, gl.UNSIGNED_INT, 0);
     };
-    one(this.ground, [0.8, 0.82, 0.84], 0);
+    one(this.ground, null, [0.8, 0.82, 0.84], 0);
     this.meshes.forEach((mesh, body) => {
       const colour = View.colours[body % View.colours.length];
-      one(mesh, body === chosen ? colour.map(part => Math.min(1, 1.25 * part)) : colour,
+      one(mesh, this.poses[body], body === chosen ? colour.map(part => Math.min(1, 1.25 * part)) : colour,
           this.swingOf(body, time));
     });
     ++this.frames;
@@ -195,5 +205,6 @@ class View extends Camera {
     return this.sizes[index];
   }
 }
+View.unmoved = new Float32Array([1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]);
 View.colours = [[0.80, 0.47, 0.22], [0.30, 0.52, 0.70], [0.55, 0.62, 0.32], [0.72, 0.30, 0.34], [0.50, 0.42, 0.66],
                 [0.86, 0.68, 0.28], [0.35, 0.60, 0.56], [0.60, 0.60, 0.60]];

@@ -40,19 +40,28 @@ function proxyOf(body) {
 function blowOn(index, point, hammer, rate) {
   const body = bodies[index];
   if (!point) throw new Error(`the blow misses ${body.name}`);
-  const inward = scaled(point.normal, -1), blow = {body: index, level: body.level, force: hammerForce(hammer, rate)};
-  return body.level === null ? {...blow, participation: participationOf(body, point, inward)}
-                             : {...blow, loads: loadsOn(body.proxies[body.level], point.place, inward)};
+  return {body: index, level: body.level, force: hammerForce(hammer, rate), ...sharesOf(body, point, scaled(point.normal, -1))};
+}
+
+/// Shares of the modes, or of the masses of the proxy that sounds, in a force of 1 N on a point of the surface.
+function sharesOf(body, point, direction) {
+  return body.level === null ? {participation: participationOf(body, point, direction)}
+                             : {loads: loadsOn(body.proxies[body.level], point.place, direction)};
 }
 
 /// Pressure of blows at the listener's channels, Pa, without a sound card.
 /// @param blows  {time in s, body, origin and direction of a ray that meets its surface, hammer}
-async function renderOffline(blows, duration, rate, webassembly = compiledBytes) {
-  const context = new OfflineAudioContext(page.listeners.length, Math.round(duration * rate), rate);
-  const node = await resonatorsIn(context, blows.map(({time, body, origin, direction, hammer}) => ({
+function renderOffline(blows, duration, rate, webassembly = compiledBytes) {
+  return renderStrikes(blows.map(({time, body, origin, direction, hammer}) => ({
     ...blowOn(body, hit(bodies[body], origin, unit(direction)), hammer, rate),
     start: Math.round(time * rate),
-  })), webassembly);
+  })), duration, rate, webassembly);
+}
+
+/// The same of blows as the audio thread takes them.
+async function renderStrikes(strikes, duration, rate, webassembly = compiledBytes) {
+  const context = new OfflineAudioContext(page.listeners.length, Math.round(duration * rate), rate);
+  const node = await resonatorsIn(context, strikes, webassembly);
   node.connect(context.destination);
   const sound = await context.startRendering();
   return page.listeners.map((_, channel) => Array.from(sound.getChannelData(channel)));

@@ -10,16 +10,18 @@ function compiledCode(bytes) {
   return exports;
 }
 
-/// As Modes, and bows can touch them.
-class CompiledModes {
-  /// @param code    compiledCode()
-  /// @param tuning  as of Modes
-  constructor(code, tuning, rate) {
+/// The same in the page, where some browsers do not let a script wait for so much code.
+async function loadedCode(bytes) {
+  const {instance: {exports}} = await WebAssembly.instantiate(bytes);
+  exports._initialize();
+  return exports;
+}
+
+/// What exchanges numbers with the C++.
+class Compiled {
+  /// @param code  compiledCode()
+  constructor(code) {
     this.code = code;
-    this.modes = tuning.frequency.length;
-    this.channels = tuning.pressure.length;
-    this.body = code.make_body(this.modes, this.channels, rate);
-    this.tune(tuning);
   }
 
   /// The list through which numbers go to the C++ and back.
@@ -34,6 +36,18 @@ class CompiledModes {
       numbers.set(list, at);
       return at + list.length;
     }, 0);
+  }
+}
+
+/// As Modes, and bows can touch them.
+class CompiledModes extends Compiled {
+  /// @param tuning  as of Modes
+  constructor(code, tuning, rate) {
+    super(code);
+    this.modes = tuning.frequency.length;
+    this.channels = tuning.pressure.length;
+    this.body = code.make_body(this.modes, this.channels, rate);
+    this.tune(tuning);
   }
 
   tune({frequency, decay, pressure}) {

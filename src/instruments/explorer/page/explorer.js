@@ -10,10 +10,12 @@ class Explorer {
     this.room = new Room(element("room"), this.view, (x, y) => this.strikeAt(x, y), new Scraping(this));
     this.chosen = 0;
     this.strikes = 0;
+    this.dropping = new Dropping(this);
     this.workshop = new Workshop(this);
     this.connectSliders();
     this.choose(0);
     const frame = time => {
+      this.dropping.advance();
       this.view.animate(time, this.chosen);
       this.showSpectrum(time);
       this.waveform.show(time);
@@ -60,6 +62,7 @@ class Explorer {
 
   /// A new body, at the end of the list.
   add(body) {
+    this.dropping.end();
     bodies.push(body);
     this.view.put(bodies.length - 1);
     this.sound.send({add: {tuning: tuningOf(body), proxies: proxyOf(body)}});
@@ -68,6 +71,7 @@ class Explorer {
 
   /// The chosen body becomes another one with as many modes. What rings goes on.
   replace(body) {
+    this.dropping.end();
     const {size, friction} = bodies[this.chosen];
     bodies[this.chosen] = {...body, size, friction};
     this.view.put(this.chosen);

@@ -17,10 +17,12 @@ function madeBody(name, recipe) {
   const {frequency, heights, ...flat} = (recipe.kind === "membrane" ? membraneBody : formulaBody)(recipe, recipe.modes ?? madeModes);
   const vertices = flat.vertices.map((coordinate, i) => coordinate + recipe.position[i % 3]), surface = {...flat, vertices};
   const {areas, centres} = triangleParts(surface);
+  const isLong = ["string", "bar"].includes(recipe.kind);  // its density is that of a length
   const {low, high} = boundsOf([surface]), extent = Math.hypot(...minus(high, low));
   const volumes = heights.map(shape => volumesOf(shape, surface.triangles, areas));
   return {
     ...surface, name, recipe,
+    mass: recipe.density * (isLong ? recipe.length : areas.reduce((sum, area) => sum + area)),
     frequency: Float64Array.from(frequency),
     materialDecay: Float64Array.from(frequency, hertz => Math.PI * hertz * recipe.friction),
     radiationDecay: Float64Array.from(frequency, (hertz, mode) => radiationDecay(volumes[mode], centres, extent, hertz, page.air)),

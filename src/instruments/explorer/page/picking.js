@@ -8,22 +8,37 @@ function pick(view, x, y) {
   const ray = view.ray(x, y);
   let seen = null;
   view.bodies.forEach((body, index) => {
-    const point = hit(body, ray.origin, ray.direction);
+    const point = hit(body, ...rayOn(view.poses[index], ray));
     if (point && (!seen || point.distance < seen.point.distance)) seen = {body: index, point};
   });
   if (seen) return seen;
   view.bodies.forEach((body, index) => {
-    const point = nearestOnScreen(view, body, [x, y]);
+    const point = nearestOnScreen(view, index, [x, y]);
     if (point && (!seen || isBefore(point, seen.point))) seen = {body: index, point};
   });
   return seen;
 }
 
+/// Origin and direction of a ray as a body has them that has moved by a pose (View).
+function rayOn(pose, {origin, direction}) {
+  if (!pose) return [origin, direction];
+  const columns = [0, 4, 8].map(at => pose.subarray(at, at + 3)), back = v => columns.map(column => dot(column, v));
+  return [back(minus(origin, pose.subarray(12, 15))), back(direction)];
+}
+
+/// The vertices of a body where it has moved.
+function movedVertices({vertices}, pose) {
+  return pose ? vertices.map((_, i) => {
+    const first = i - i % 3, row = i % 3;
+    return pose[12 + row] + [0, 1, 2].reduce((sum, axis) => sum + pose[4 * axis + row] * vertices[first + axis], 0);
+  }) : vertices;
+}
+
 const isBefore = (a, b) => a.pixels < b.pixels || (a.pixels === b.pixels && a.distance < b.distance);
 
 /// Triangle, weights of its corners, place, normal, distance from the eye, and pixels by which it is missed; or null.
-function nearestOnScreen(view, body, at) {
-  const vertices = view.onScreen(body.vertices);
+function nearestOnScreen(view, index, at) {
+  const body = view.bodies[index], vertices = view.onScreen(movedVertices(body, view.poses[index]));
   let nearest = null;
   for (let triangle = 0; 3 * triangle < body.triangles.length; ++triangle) {
     const corners = [0, 1, 2].map(corner => vertices.subarray(3 * body.triangles[3 * triangle + corner]));

@@ -36,7 +36,7 @@ class Voice {
 }
 
 /// Messages: {add: {tuning, proxies}}, {tune: {body, ...}}, {tuneProxy: {body, tension, friction, size}}, {strike: {body, level, start, ...}}:
-/// level null for the modes; start in audio samples, or null for at once; {stroke: {id, kind, ...}} (stroke.js, bowing.js),
+/// level null for the modes; start in audio samples, or null for at once; {strikes: [strike, ...]}; {stroke: {id, kind, ...}} (stroke.js, bowing.js),
 /// {follow: {id, news}} and {lift: id}.
 class Resonators extends AudioWorkletProcessor {
   constructor({processorOptions: {webassembly, tunings, proxies, blows, shortestDelay}}) {
@@ -53,11 +53,11 @@ class Resonators extends AudioWorkletProcessor {
     this.port.onmessage = ({data}) => this.messages.push(data);
   }
 
-  obey({add, tune, tuneProxy, strike, stroke, follow, lift}) {
+  obey({add, tune, tuneProxy, strike, strikes, stroke, follow, lift}) {
     if (add) this.add(add);
     if (tune) this.voices[tune.body].tune(tune);
     if (tuneProxy) this.proxies[tuneProxy.body].forEach(voice => voice.tune(tuneProxy));
-    if (strike) this.struck(strike).strike({...strike, start: Math.max(strike.start ?? 0, currentFrame)});
+    for (const blow of strikes ?? (strike ? [strike] : [])) this.struck(blow).strike({...blow, start: Math.max(blow.start ?? 0, currentFrame)});
     if (stroke) this.strokes.set(stroke.id, this.begun(stroke));
     if (follow) this.strokes.get(follow.id)?.follow(follow.news);
     if (lift !== undefined) this.strokes.get(lift)?.end();

@@ -81,7 +81,6 @@ class Scraping {
     const body = bodies[index], length = Math.hypot(...way);
     const drag = kind === "scrape" && length > 0 ? scaled(way, this.grip / length) : [0, 0, 0];
     const direction = kind === "bow" ? point.normal : minus(drag, point.normal);
-    return body.level === null || kind === "bow" ? {participation: participationOf(body, point, direction)}
-                                                 : {loads: loadsOn(body.proxies[body.level], point.place, direction)};
+    return kind === "bow" ? {participation: participationOf(body, point, direction)} : sharesOf(body, point, direction);
   }
 }

@@ -1,14 +1,14 @@
-#include "contact_sounds.hpp"
+#include "idiophone/instruments/touching/contact_sounds.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "idiophone/instruments/resonators/force.hpp"
+#include "idiophone/instruments/touching/vectors.hpp"
 #include "surface_pair.hpp"
-#include "vectors.hpp"
 
-namespace idiophone::engines {
+namespace idiophone::touching {
 
 namespace {
 
@@ -153,4 +153,4 @@ void ContactSounds::add_stroke(Contact& contact, std::vector<ContactForce>& forc
   }
 }
 
-}  // namespace idiophone::engines
+}  // namespace idiophone::touching

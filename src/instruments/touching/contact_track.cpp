@@ -1,9 +1,9 @@
-#include "contact_track.hpp"
+#include "idiophone/instruments/touching/contact_track.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-namespace idiophone::engines {
+namespace idiophone::touching {
 
 namespace {
 
@@ -22,4 +22,4 @@ ContactTrack::Share ContactTrack::follow(double impulse, double duration) {
   return {.impact = impact, .load = silence_ < memory ? load_ : 0.0};
 }
 
-}  // namespace idiophone::engines
+}  // namespace idiophone::touching

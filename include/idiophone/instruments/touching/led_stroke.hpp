@@ -5,7 +5,7 @@
 
 #include "idiophone/instruments/resonators/running_stroke.hpp"
 
-namespace idiophone::engines {
+namespace idiophone::touching {
 
 /// The force of a stroke as pieces of two blocks that overlap. Each piece rises from zero in its first block and falls
 /// to zero in the second, as those of resonators::RunningStroke do. So nothing clicks if the engine is late or gone,
@@ -38,4 +38,4 @@ class LedStroke {
   std::int64_t next_;
 };
 
-}  // namespace idiophone::engines
+}  // namespace idiophone::touching

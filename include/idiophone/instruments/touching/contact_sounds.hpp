@@ -7,11 +7,11 @@
 #include <span>
 #include <vector>
 
-#include "contact_track.hpp"
-#include "idiophone/instruments/engines/contact_events.hpp"
-#include "led_stroke.hpp"
+#include "idiophone/instruments/touching/contact_events.hpp"
+#include "idiophone/instruments/touching/contact_track.hpp"
+#include "idiophone/instruments/touching/led_stroke.hpp"
 
-namespace idiophone::engines {
+namespace idiophone::touching {
 
 /// A force on the first body of a contact, and the opposite one on the second.
 struct ContactForce {
@@ -62,4 +62,4 @@ class ContactSounds {
   std::uint64_t impacts_ = 0, left_out_ = 0;
 };
 
-}  // namespace idiophone::engines
+}  // namespace idiophone::touching

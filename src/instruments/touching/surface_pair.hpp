@@ -1,13 +1,10 @@
 #pragma once
 // How two surfaces touch.
 
-#include "idiophone/instruments/engines/contact_events.hpp"
-#include "idiophone/instruments/score/score.hpp"
+#include "idiophone/instruments/score/action.hpp"
+#include "idiophone/instruments/touching/contact_events.hpp"
 
-namespace idiophone::engines {
-
-/// @throws std::runtime_error for a surface that can't be. @param number  for the message
-void check_surface(const Surface& surface, std::size_t number);
+namespace idiophone::touching {
 
 /// By Hertz' law, N/m^(3/2): 4/3 E sqrt(R), with 1/E and 1/R as sums of both sides (K. L. Johnson, Contact Mechanics,
 /// 1985, section 4.2).
@@ -21,4 +18,4 @@ void check_surface(const Surface& surface, std::size_t number);
 [[nodiscard]] score::Stroke stroke_of(score::Stroke::Kind kind, double mass, const Surface& first,
                                       const Surface& second);
 
-}  // namespace idiophone::engines
+}  // namespace idiophone::touching

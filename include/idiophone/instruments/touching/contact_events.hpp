@@ -5,16 +5,10 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace idiophone::engines {
+namespace idiophone::touching {
 
 /// x, y, z
 using Triple = std::array<double, 3>;
-
-/// Where a body is: from the coordinates of its sound map to those of the world.
-struct Pose {
-  Triple position{};                          ///< of the origin of the map, m
-  std::array<double, 4> turn = {0, 0, 0, 1};  ///< unit quaternion x, y, z, w
-};
 
 /// One side of a contact: its material, its shape where it touches, and its roughness.
 struct Surface {
@@ -48,4 +42,4 @@ struct ContactEvent {
   double moment = unknown;  ///< of an impact in the step, 0 to 1; unknown: any
 };
 
-}  // namespace idiophone::engines
+}  // namespace idiophone::touching

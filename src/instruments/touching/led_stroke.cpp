@@ -1,9 +1,9 @@
-#include "led_stroke.hpp"
+#include "idiophone/instruments/touching/led_stroke.hpp"
 
 #include <algorithm>
 #include <utility>
 
-namespace idiophone::engines {
+namespace idiophone::touching {
 
 LedStroke::LedStroke(const score::Stroke& stroke, std::uint64_t seed, int rate, std::int64_t start)
     : forces_(stroke, seed, rate), rising_(forces_.next(0).back().force), next_(start) {}
@@ -18,4 +18,4 @@ LedStroke::Piece LedStroke::next(std::int64_t now) {
   return piece;
 }
 
-}  // namespace idiophone::engines
+}  // namespace idiophone::touching

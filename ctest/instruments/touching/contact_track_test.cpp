@@ -1,10 +1,10 @@
 // Impacts and loads of contacts.
 
-#include "contact_track.hpp"
+#include "idiophone/instruments/touching/contact_track.hpp"
 
 #include <gtest/gtest.h>
 
-namespace idiophone::engines {
+namespace idiophone::touching {
 
 namespace {
 
@@ -65,4 +65,4 @@ TEST(ContactTrack, AHarderBlowOnALoadedContactIsAnImpact) {
 
 }  // namespace
 
-}  // namespace idiophone::engines
+}  // namespace idiophone::touching

@@ -1,36 +1,15 @@
 #include "surface_pair.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
-namespace idiophone::engines {
+namespace idiophone::touching {
 
 namespace {
 
 constexpr double longest_contact = 0.1;  // s
 
-void require(bool good, std::size_t number, const char* what) {
-  if (!good) {
-    throw std::runtime_error(fmt::format("surface {}: {}", number, what));
-  }
-}
-
 }  // namespace
-
-void check_surface(const Surface& surface, std::size_t number) {
-  const auto between = [](double value, double least, double most) { return value >= least && value <= most; };
-  require(between(surface.young, 1e3, 1e13), number, "Young's modulus has to be from 1e3 to 1e13 Pa");
-  require(between(surface.poisson, -0.99, 0.5), number, "Poisson's ratio has to be from -0.99 to 0.5");
-  require(between(surface.radius, 1e-6, 1e3), number, "the radius has to be from 1e-6 to 1e3 m");
-  require(between(surface.height, 0.0, 0.1), number, "the height of the roughness has to be from 0 to 0.1 m");
-  require(between(surface.exponent, 0.0, 10.0), number, "the exponent of the roughness has to be from 0 to 10");
-  require(between(surface.shortest, 1e-7, 1.0) && between(surface.longest, surface.shortest, 10.0), number,
-          "wavelengths of the roughness have to be from 1e-7 to 10 m, the longest at least as long as the shortest");
-  require(between(surface.friction, 0.0, 10.0), number, "the friction has to be from 0 to 10");
-}
 
 double hardness_of(const Surface& first, const Surface& second) {
   const auto compliance = [](const Surface& side) { return (1.0 - side.poisson * side.poisson) / side.young; };
@@ -58,4 +37,4 @@ score::Stroke stroke_of(score::Stroke::Kind kind, double mass, const Surface& fi
   return stroke;
 }
 
-}  // namespace idiophone::engines
+}  // namespace idiophone::touching

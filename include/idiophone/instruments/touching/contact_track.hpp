@@ -1,7 +1,7 @@
 #pragma once
 // What of a contact's impulses is an impact, and what a load that lasts.
 
-namespace idiophone::engines {
+namespace idiophone::touching {
 
 /// A physics engine reports an impulse in each step, also for what rests, rolls or trembles. An impact at each of them
 /// would sound like a machine gun. So an impulse is an impact only as far as it exceeds what the contact was used to:
@@ -26,4 +26,4 @@ class ContactTrack {
   double silence_ = 0.0;
 };
 
-}  // namespace idiophone::engines
+}  // namespace idiophone::touching
