@@ -89,7 +89,7 @@ TEST(Bow, GivesTheModesAsMuchAsItsForceDoes) {
 
 TEST(Bow, StartsAModeWhereTheForceFallsFasterThanTheModeLoses) {
   constexpr double frequency = 300.0, decay = 5.0, mass = 0.02, speed = 0.1;
-  const score::Friction law{.sticking = 0.8, .sliding = 0.3, .stribeck_speed = 0.1, .stiffness = 1e6};
+  const friction::Law law{.sticking = 0.8, .sliding = 0.3, .stribeck_speed = 0.1, .stiffness = 1e6};
   const double ratio = speed / law.stribeck_speed;
   const double slope = -2.0 * ratio / law.stribeck_speed * (law.sticking - law.sliding) * std::exp(-ratio * ratio);
   const double limit = -2.0 * decay * mass / slope;  // N: the load at which 2 decay + slope load/mass = 0

@@ -13,7 +13,7 @@ namespace idiophone::resonators {
 
 namespace {
 
-score::Course always(double gap) {
+scene::Course always(double gap) {
   return {.points = {{.time = 0.0, .value = gap}}};
 }
 
@@ -146,7 +146,7 @@ TEST(ElasticContact, KeepsTheEnergyOfManyStiffContactsAtNearlyTheSamePlace) {
 TEST(ElasticContact, PressesAsTheGapSays) {
   // A stop comes near slowly and stays: spring of the mode and spring of the stop share the way.
   constexpr double frequency = 200.0, participation = 3.0, stiffness = 1e5, way = 1e-4;
-  const score::Course gap{.points = {{.time = 0.0, .value = 1e-5}, {.time = 0.2, .value = -way}}};
+  const scene::Course gap{.points = {{.time = 0.0, .value = 1e-5}, {.time = 0.2, .value = -way}}};
   ElasticContact contact({.hardness = stiffness, .exponent = 1.0}, gap, stop, rate);
   TouchingBodies body({{{.frequency = frequency, .decay = 60.0, .participation = participation}}});
   body.add(contact, {{.body = 0}});
@@ -157,7 +157,7 @@ TEST(ElasticContact, PressesAsTheGapSays) {
 
 TEST(ElasticContact, GivesTheWorkOfTheGap) {
   constexpr double speed = 0.05;
-  const score::Course gap{.points = {{.time = 0.01, .value = 1e-4}, {.time = 0.02, .value = 1e-4 - speed * 0.01}}};
+  const scene::Course gap{.points = {{.time = 0.01, .value = 1e-4}, {.time = 0.02, .value = 1e-4 - speed * 0.01}}};
   ElasticContact contact({.hardness = 1e7}, gap, stop, rate);
   Witness witness(contact);
   TouchingBodies body({undamped_modes(20, 90.0)});

@@ -67,7 +67,7 @@ void PageBody::strike(std::int64_t start, resonators::ForceCurve force, Particip
       .start = start, .curve = std::move(force), .acts_for = acts_for, .participation = std::move(participation)}));
 }
 
-void PageBody::put_bow(int number, const score::Friction& friction, const Participation& place) {
+void PageBody::put_bow(int number, const friction::Law& friction, const Participation& place) {
   if (lowest_ == 0.0 || bows_.size() == resonators::PointContacts::most) {
     return;
   }

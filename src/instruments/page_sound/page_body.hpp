@@ -37,7 +37,7 @@ class PageBody {
 
   /// Puts a bow on the body. One too many, or on a body without a sound, does nothing.
   /// @param number  by which the page knows it for the next two; of no other bow on the body
-  void put_bow(int number, const score::Friction& friction, const Participation& place);
+  void put_bow(int number, const friction::Law& friction, const Participation& place);
   void lead_bow(int number, const resonators::ContactMotion& motion, Participation place);
   void lift_bow(int number);
 

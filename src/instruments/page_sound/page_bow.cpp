@@ -11,13 +11,16 @@ namespace {
 constexpr double follow_time = 0.02;  // s
 
 /// A bow whose speed and load are zero until somebody leads it.
-score::Bow resting(const score::Friction& friction) {
-  return {.speed = {{{}}}, .load = {{{}}}, .friction = friction};
+score::Bow resting(const friction::Law& friction) {
+  score::Bow bow;
+  bow.speed = bow.load = {.points = {{}}};
+  bow.friction = friction;
+  return bow;
 }
 
 }  // namespace
 
-PageBow::PageBow(const score::Friction& friction, Participation place, int rate)
+PageBow::PageBow(const friction::Law& friction, Participation place, int rate)
     : bow_(resting(friction), rate), follow_(std::llround(follow_time * rate)), from_(place), to_(std::move(place)) {}
 
 void PageBow::lead(const resonators::ContactMotion& motion, Participation place) {

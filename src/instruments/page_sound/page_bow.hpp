@@ -15,7 +15,7 @@ using Participation = std::vector<double>;
 class PageBow {
  public:
   /// It neither moves nor presses yet.
-  PageBow(const score::Friction& friction, Participation place, int rate);
+  PageBow(const friction::Law& friction, Participation place, int rate);
 
   /// The bow gets to this motion and this place evenly, in 20 ms.
   void lead(const resonators::ContactMotion& motion, Participation place);

@@ -5,12 +5,6 @@
 
 namespace idiophone::resonators {
 
-namespace {
-
-constexpr double load_ramp = 0.01;  // s
-
-}  // namespace
-
 Bow::Bow(const score::Bow& bow, int rate) : bow_(bow), step_(1.0 / rate), friction_(bow.friction, step_) {}
 
 ContactMotion Bow::motion() const {
@@ -19,8 +13,7 @@ ContactMotion Bow::motion() const {
     return {std::lerp(lead_->from.speed, lead_->to.speed, share), std::lerp(lead_->from.load, lead_->to.load, share)};
   }
   const double time = (static_cast<double>(now_) + 0.5) * step_;
-  const double share = std::clamp(std::min(time, bow_.duration - time) / load_ramp, 0.0, 1.0);
-  return {bow_.speed.at(time), share * bow_.load.at(time)};
+  return {bow_.speed.at(time), bow_.load_at(time)};
 }
 
 void Bow::lead(const ContactMotion& wanted, std::int64_t samples) {

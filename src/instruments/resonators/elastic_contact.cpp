@@ -4,11 +4,11 @@
 #include <cmath>
 #include <utility>
 
-#include "bracketed_root.hpp"
+#include "idiophone/foundation/bracketed_root.hpp"
 
 namespace idiophone::resonators {
 
-ElasticContact::ElasticContact(const score::Elasticity& law, score::Course gap, const Mass& mass, int rate)
+ElasticContact::ElasticContact(const score::Elasticity& law, scene::Course gap, const Mass& mass, int rate)
     : law_(law),
       gap_(std::move(gap)),
       energy_scale_(1.0 / (law.exponent + 1.0) * law.hardness),

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "course_keys.hpp"
+#include "idiophone/scene/course_keys.hpp"
 #include "idiophone/scene/ranges.hpp"
 #include "idiophone/scene/sections.hpp"
 
@@ -137,7 +137,7 @@ bool read(const Node& node, Mistakes& mistakes, BodyContact& contact, const Cont
     section.required("other", contact.other.emplace(), PointKeys{rule.bodies});
   }
   read_elasticity(section, contact.elasticity);
-  const CourseRule gap{.range = {.at_least = -0.1, .at_most = 10.0, .unit = "m"}, .longest = longest_course};
+  const scene::CourseRule gap{.range = {.at_least = -0.1, .at_most = 10.0, .unit = "m"}, .longest = longest_course};
   if (section.required("gap", contact.gap, gap)) {
     read_mass(section, contact);
   }

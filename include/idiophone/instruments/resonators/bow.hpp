@@ -4,8 +4,9 @@
 #include <cstdint>
 #include <optional>
 
+#include "idiophone/foundation/friction/elasto_plastic_friction.hpp"
 #include "idiophone/instruments/resonators/contact.hpp"
-#include "idiophone/instruments/resonators/friction.hpp"
+#include "idiophone/instruments/score/action.hpp"
 
 namespace idiophone::resonators {
 
@@ -23,7 +24,7 @@ class Bow : public Contact {
   /// In the next audio sample.
   [[nodiscard]] ContactMotion motion() const;
 
-  [[nodiscard]] const ElastoPlasticFriction& friction() const { return friction_; }
+  [[nodiscard]] const friction::ElastoPlasticFriction& friction() const { return friction_; }
 
  private:
   /// From one motion to another.
@@ -34,7 +35,7 @@ class Bow : public Contact {
 
   score::Bow bow_;
   double step_;  // s
-  ElastoPlasticFriction friction_;
+  friction::ElastoPlasticFriction friction_;
   std::int64_t now_ = 0;  // audio samples since the beginning
   std::optional<Lead> lead_;
 };

@@ -27,7 +27,7 @@ class ElasticContact : public Contact {
 
   /// A negative gap and a load rise over 10 ms, so that nothing clicks when they begin.
   /// @param gap  m, over the time in s; negative: what touches would overlap so far without a force
-  ElasticContact(const score::Elasticity& law, score::Course gap, const Mass& mass, int rate);
+  ElasticContact(const score::Elasticity& law, scene::Course gap, const Mass& mass, int rate);
 
   [[nodiscard]] double force(double free, double compliance) const override;
   void advance(double way, double force) override;
@@ -56,7 +56,7 @@ class ElasticContact : public Contact {
   void look_ahead();
 
   score::Elasticity law_;
-  score::Course gap_;
+  scene::Course gap_;
   double energy_scale_;   // of the stored energy, J/m^(exponent + 1)
   Mass mass_;             // its speed is the present one
   double step_;           // s

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "idiophone/foundation/types.hpp"
+#include "idiophone/scene/bowing.hpp"
+#include "idiophone/scene/course.hpp"
 #include "idiophone/scene/signal.hpp"
 
 namespace idiophone::score {
@@ -67,41 +69,9 @@ struct Stroke {
   Roughness roughness;
 };
 
-/// A number that changes over time: linear between its points, constant before and after them.
-struct Course {
-  struct Point {
-    double time = 0.0;  ///< s
-    double value = 0.0;
-  };
-  std::vector<Point> points;  ///< at least one, in the order of their times
-
-  /// Realtime-safe.
-  [[nodiscard]] double at(double time) const;
-  [[nodiscard]] double largest() const;
-  [[nodiscard]] double last() const { return points.back().value; }
-  /// All values become so many times as large.
-  void scale(double factor);
-};
-
-/// How two surfaces rub on each other; the law is that of resonators::ElastoPlasticFriction.
-struct Friction {
-  double sticking = 0.8;        ///< largest force without sliding over the load
-  double sliding = 0.3;         ///< force of fast sliding over the load; above 0, at most `sticking`
-  double stribeck_speed = 0.1;  ///< at which the force has fallen by 63 % of the difference, m/s
-  double stiffness = 1e5;       ///< of the bristles, N/m
-  double damping = 0.0;         ///< of the bristles, N s/m
-  double viscosity = 0.0;       ///< force that grows with the speed, N s/m
-  double break_away = 0.7;      ///< deflection at which sliding begins over that of fast sliding; below 1
-};
-
 /// A bow, or a finger, rubs a body and feels its vibration.
-struct Bow {
-  Vector3 at = Vector3::Zero();          ///< the nearest point of the surface is rubbed, m
-  Vector3 direction = Vector3::UnitX();  ///< in which the bow moves; unit vector
-  Course speed;                          ///< of the bow, m/s
-  Course load;                           ///< that presses it on, N; not negative
-  double duration = 60.0;                ///< s
-  Friction friction;
+struct Bow : scene::Bowing {
+  Vector3 at = Vector3::Zero();  ///< the nearest point of the surface is rubbed, m
 };
 
 /// How a contact gives way, by the law of resonators::ElasticContact.
@@ -130,7 +100,7 @@ struct BodyContact {
   Vector3 direction = Vector3::UnitZ();  ///< of the force on the body of `point`; unit vector
   std::optional<PointOfBody> other;      ///< the force on its body is opposite
   std::optional<LooseMass> mass;         ///< neither: a rigid stop
-  Course gap;                            ///< while nothing vibrates, m; negative: preloaded
+  scene::Course gap;                     ///< while nothing vibrates, m; negative: preloaded
   Elasticity elasticity;
 };
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-namespace idiophone::resonators {
+namespace idiophone {
 
 /// A zero between two arguments at which the function has different signs: the method of false position with
 /// Illinois' halving, and bisection where that is slow.
@@ -56,4 +56,4 @@ double root_from(const Function& function, double start) {
   return here;
 }
 
-}  // namespace idiophone::resonators
+}  // namespace idiophone

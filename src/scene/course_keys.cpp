@@ -1,11 +1,11 @@
-#include "course_keys.hpp"
+#include "idiophone/scene/course_keys.hpp"
 
 #include <algorithm>
 #include <functional>
 
-namespace idiophone::score {
+#include "idiophone/scene/sections.hpp"
 
-using namespace deck;  // values, keys and sections
+namespace idiophone::scene {
 
 namespace {
 
@@ -19,20 +19,20 @@ bool read(const Node& node, Mistakes& mistakes, Course::Point& point, const Poin
     return mistakes.add(node, "expected [time, value], found " + describe(node));
   }
   const Range seconds{.at_least = 0.0, .at_most = rule.of.longest, .unit = "s"};
-  return read(node.children[0], mistakes, point.time, seconds) &&
-         read(node.children[1], mistakes, point.value, rule.of.range);
+  return deck::read(node.children[0], mistakes, point.time, seconds) &&
+         deck::read(node.children[1], mistakes, point.value, rule.of.range);
 }
 
 }  // namespace
 
 bool read(const Node& node, Mistakes& mistakes, Course& course, const CourseRule& rule) {
   if (node.kind != Node::Kind::list) {
-    return read(node, mistakes, course.points.emplace_back().value, rule.range);
+    return deck::read(node, mistakes, course.points.emplace_back().value, rule.range);
   }
   if (node.children.empty()) {
     return mistakes.add(node, "the list is empty; give a number, or points [time, value]");
   }
-  if (!read(node, mistakes, course.points, PointRule{rule})) {
+  if (!deck::read(node, mistakes, course.points, PointRule{rule})) {
     return false;
   }
   if (std::ranges::adjacent_find(course.points, std::greater_equal(), &Course::Point::time) != course.points.end()) {
@@ -41,4 +41,4 @@ bool read(const Node& node, Mistakes& mistakes, Course& course, const CourseRule
   return true;
 }
 
-}  // namespace idiophone::score
+}  // namespace idiophone::scene

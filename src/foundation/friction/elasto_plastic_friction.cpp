@@ -1,12 +1,13 @@
-#include "idiophone/instruments/resonators/friction.hpp"
+#include "idiophone/foundation/friction/elasto_plastic_friction.hpp"
 
 #include <cmath>
 
-#include "bracketed_root.hpp"
+#include "idiophone/foundation/bracketed_root.hpp"
 
-namespace idiophone::resonators {
+namespace idiophone::friction {
 
-ElastoPlasticFriction::ElastoPlasticFriction(const score::Friction& law, double step) : law_(law), step_(step) {}
+ElastoPlasticFriction::ElastoPlasticFriction(const Law& law, double step, Deflection deflection)
+    : law_(law), share_(deflection == Deflection::mean ? 0.5 : 1.0), reach_(share_ * step) {}
 
 double ElastoPlasticFriction::sliding_deflection(double velocity, double load) const {
   const double ratio = velocity / law_.stribeck_speed;
@@ -14,20 +15,20 @@ double ElastoPlasticFriction::sliding_deflection(double velocity, double load) c
   return load * coefficient / law_.stiffness;
 }
 
-/// The mean y solves y + h |v| a(y) y/(2 z_v) = z + h v/2, taken positive in the direction of v.
-double ElastoPlasticFriction::mean_deflection(double velocity, double load) const {
+/// With the way w = reach |v|, it is the y that solves y + w a(y) y/z_v = z + w, taken positive in the direction of v.
+double ElastoPlasticFriction::used_deflection(double velocity, double load) const {
   const double sign = velocity < 0.0 ? -1.0 : 1.0;
-  const double before = sign * deflection_, half_way = 0.5 * step_ * std::abs(velocity);
-  const double free = before + half_way;
+  const double before = sign * deflection_, way = reach_ * std::abs(velocity);
+  const double free = before + way;
   const double sliding = sliding_deflection(velocity, load);
   const double breaks = law_.break_away * load * law_.sliding / law_.stiffness;
   if (free <= breaks) {
     return sign * free;
   }
   if (before >= sliding) {
-    return sign * free * sliding / (sliding + half_way);
+    return sign * free * sliding / (sliding + way);
   }
-  const double square = half_way / (sliding * (sliding - breaks)), linear = 1.0 - square * breaks;
+  const double square = way / (sliding * (sliding - breaks)), linear = 1.0 - square * breaks;
   return sign * 2.0 * free / (linear + std::sqrt(linear * linear + 4.0 * square * free));
 }
 
@@ -35,10 +36,10 @@ double ElastoPlasticFriction::force(double velocity, double load) const {
   if (load <= 0.0) {
     return 0.0;
   }
-  const double mean = mean_deflection(velocity, load);
-  const double rate = 2.0 * (mean - deflection_) / step_;
+  const double used = used_deflection(velocity, load);
+  const double rate = (used - deflection_) / reach_;
   const double damping = law_.damping / (1.0 + 0.25 * law_.damping * std::abs(velocity) / (law_.sliding * load));
-  return law_.stiffness * mean + damping * rate + law_.viscosity * velocity;
+  return law_.stiffness * used + damping * rate + law_.viscosity * velocity;
 }
 
 double ElastoPlasticFriction::velocity(double free, double mobility, double load) const {
@@ -47,7 +48,7 @@ double ElastoPlasticFriction::velocity(double free, double mobility, double load
 
 void ElastoPlasticFriction::advance(double velocity, double load) {
   velocity_ = velocity;
-  deflection_ = load > 0.0 ? 2.0 * mean_deflection(velocity, load) - deflection_ : 0.0;
+  deflection_ = load > 0.0 ? (used_deflection(velocity, load) - (1.0 - share_) * deflection_) / share_ : 0.0;
 }
 
-}  // namespace idiophone::resonators
+}  // namespace idiophone::friction

@@ -1,17 +1,15 @@
-#include "idiophone/instruments/resonators/friction.hpp"
+#include "idiophone/foundation/friction/elasto_plastic_friction.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <random>
 
-#include "rate.hpp"
-
-namespace idiophone::resonators {
+namespace idiophone::friction {
 
 namespace {
 
-constexpr double step = 1.0 / rate;
+constexpr double step = 1.0 / 48000;  // s
 
 double slide(ElastoPlasticFriction& friction, double velocity, double load, int steps) {
   double force = 0.0;
@@ -25,7 +23,7 @@ double slide(ElastoPlasticFriction& friction, double velocity, double load, int 
 }  // namespace
 
 TEST(ElastoPlasticFriction, SlidesWithTheForceOfTheStribeckCurve) {
-  const score::Friction law{.sticking = 0.9, .sliding = 0.2, .stribeck_speed = 0.05, .damping = 3.0, .viscosity = 0.1};
+  const Law law{.sticking = 0.9, .sliding = 0.2, .stribeck_speed = 0.05, .damping = 3.0, .viscosity = 0.1};
   for (const double velocity : {-0.5, -0.05, 0.01, 0.1, 2.0}) {
     ElastoPlasticFriction friction(law, step);
     const double coefficient = 0.2 + 0.7 * std::exp(-std::pow(velocity / 0.05, 2));
@@ -35,7 +33,7 @@ TEST(ElastoPlasticFriction, SlidesWithTheForceOfTheStribeckCurve) {
 }
 
 TEST(ElastoPlasticFriction, IsASpringBelowTheBreakAwayDeflection) {
-  const score::Friction law{.sliding = 0.5, .stiffness = 1e4, .break_away = 0.8};
+  const Law law{.sliding = 0.5, .stiffness = 1e4, .break_away = 0.8};
   ElastoPlasticFriction friction(law, step);
   const double velocity = 0.79 * 0.5 / 1e4 / (100 * step);
   EXPECT_NEAR(slide(friction, velocity, 1.0, 100), 0.79 * 0.5, 0.01);
@@ -48,12 +46,12 @@ TEST(ElastoPlasticFriction, NeverGivesMoreThanItWasGiven) {
   std::mt19937_64 random(3);
   std::uniform_real_distribution<double> any(0.0, 1.0);
   for (int trial = 0; trial < 300; ++trial) {
-    const score::Friction law{.sticking = 0.3 + any(random),
-                              .sliding = 0.3 * any(random) + 0.001,
-                              .stribeck_speed = std::pow(10.0, -3.0 * any(random)),
-                              .stiffness = std::pow(10.0, 2.0 + 5.0 * any(random)),
-                              .damping = 100.0 * any(random),
-                              .break_away = 0.99 * any(random)};
+    const Law law{.sticking = 0.3 + any(random),
+                  .sliding = 0.3 * any(random) + 0.001,
+                  .stribeck_speed = std::pow(10.0, -3.0 * any(random)),
+                  .stiffness = std::pow(10.0, 2.0 + 5.0 * any(random)),
+                  .damping = 100.0 * any(random),
+                  .break_away = 0.99 * any(random)};
     ElastoPlasticFriction friction(law, step);
     for (int i = 0; i < 100; ++i) {
       const double velocity = std::pow(any(random), 3.0) * (any(random) < 0.3 ? -10.0 : 1.0), load = 5.0 * any(random);
@@ -83,7 +81,7 @@ TEST(ElastoPlasticFriction, FindsTheVelocityThatTheForceLeaves) {
 
 // At 0.6 m/s, both sticking and sliding with 0.3 m/s are possible: the friction is between 0.3 and 0.8 N.
 TEST(ElastoPlasticFriction, WhatSticksGoesOnToStickAndWhatSlidesToSlide) {
-  const score::Friction law{.sticking = 0.8, .sliding = 0.3, .stribeck_speed = 0.1, .stiffness = 1e8};
+  const Law law{.sticking = 0.8, .sliding = 0.3, .stribeck_speed = 0.1, .stiffness = 1e8};
   const auto velocity_after_ramp = [&](double from) {
     constexpr int steps = 1000;
     ElastoPlasticFriction friction(law, step);
@@ -98,4 +96,4 @@ TEST(ElastoPlasticFriction, WhatSticksGoesOnToStickAndWhatSlidesToSlide) {
   EXPECT_NEAR(velocity_after_ramp(2.0), 0.3, 0.01);
 }
 
-}  // namespace idiophone::resonators
+}  // namespace idiophone::friction

@@ -1,9 +1,15 @@
 #pragma once
 // Friction with memory between two surfaces that touch: bristles bend before they slide.
 
-#include "idiophone/instruments/score/action.hpp"
+#include "idiophone/foundation/friction/law.hpp"
 
-namespace idiophone::resonators {
+namespace idiophone::friction {
+
+/// Which deflection of the bristles makes the force of a time step.
+enum class Deflection {
+  mean,  ///< of those before and after the step
+  end    ///< that after it
+};
 
 /// The elasto-plastic law (P. Dupont and others, IEEE Trans. Automatic Control 47, 2002; for sound F. Avanzini,
 /// S. Serafin, D. Rocchesso, IEEE Trans. Speech and Audio Processing 13, 2005). Bristles of the deflection z follow the
@@ -15,15 +21,17 @@ namespace idiophone::resonators {
 /// the sign of v. a is the share of sliding: 0 up to the break-away deflection, 1 from z_v on, and linear between; 0 if
 /// z is against v. Dupont's half sine in place of the line would not have a solution in closed form.
 ///
-/// A time step uses the mean of z before and after it. The force then does exactly the work that is stored in the
-/// bristles, stiffness z^2/2, or lost, and the loss is never negative. For this the damping falls at high speed, so
-/// that damping |v| stays below four times the force of sliding.
+/// A time step uses one deflection z for a z and the force. With the mean of z before and after the step, the force
+/// does exactly the work that is stored in the bristles, stiffness z^2/2, or lost, and the loss is never negative. For
+/// this the damping falls at high speed, so that damping |v| stays below four times the force of sliding. With z at
+/// the end of the step (implicit Euler), the force is that of its end: for motions whose velocities are known half a
+/// step before their forces. Bristles that stick are then exact in either case.
 class ElastoPlasticFriction {
  public:
   /// At rest. @param step  s
-  ElastoPlasticFriction(const score::Friction& law, double step);
+  ElastoPlasticFriction(const Law& law, double step, Deflection deflection = Deflection::mean);
 
-  /// Mean force over the next step, against the motion of one surface over the other, N.
+  /// Force of the next step, against the motion of one surface over the other, N: its mean, or that of its end.
   /// @param velocity  mean of the relative velocity over the step, m/s
   /// @param load      that presses the surfaces together, N, not negative
   [[nodiscard]] double force(double velocity, double load) const;
@@ -42,16 +50,25 @@ class ElastoPlasticFriction {
   /// In the bristles, J.
   [[nodiscard]] double stored_energy() const { return 0.5 * law_.stiffness * deflection_ * deflection_; }
 
+  /// Names all state that decides the future.
+  /// @param row  an archive's row (parallel::ArchiveRow)
+  template <class Row>
+  void archive(Row& row) {
+    row.value(deflection_);
+    row.value(velocity_);
+  }
+
  private:
-  /// Mean of z over a step.
-  [[nodiscard]] double mean_deflection(double velocity, double load) const;
+  /// The z that makes the force of a step.
+  [[nodiscard]] double used_deflection(double velocity, double load) const;
   /// |z_v|, m.
   [[nodiscard]] double sliding_deflection(double velocity, double load) const;
 
-  score::Friction law_;
-  double step_;
+  Law law_;
+  double share_;  // of the step that is over where z is used
+  double reach_;  // the same in s
   double deflection_ = 0.0;
   double velocity_ = 0.0;  // of the last step
 };
 
-}  // namespace idiophone::resonators
+}  // namespace idiophone::friction
