@@ -62,14 +62,19 @@ TEST_F(DeckReference, ShowsContactsAsTheyAre) {
   EXPECT_EQ(scene.contacts.at(0).friction.sliding, 0.3);
 }
 
+TEST_F(DeckReference, ShowsBowsAsTheyAre) {
+  const Scene scene = read(replaced(plate, "loads:\n", block(4)));
+  EXPECT_EQ(scene.bows.at(0).load_at(1.0), 1.0);
+}
+
 TEST_F(DeckReference, ShowsGaugesAsTheyAre) {
-  const Scene scene = read(plate + block(4));
+  const Scene scene = read(plate + block(5));
   EXPECT_EQ(scene.gauges.at(0).quantity, Gauge::Quantity::curvature);
   EXPECT_EQ(scene.gauges.at(0).points.size(), 3U);
 }
 
 TEST_F(DeckReference, ShowsReferencesAsTheyAre) {
-  const Scene scene = read(plate + block(5));
+  const Scene scene = read(plate + block(6));
   EXPECT_EQ(scene.references.at(0).name, "thin plate (Leissa)");
   EXPECT_EQ(scene.references.at(0).frequencies.size(), 4U);
 }

@@ -62,6 +62,7 @@ inline std::string every_key(const std::string& plate, const std::string& surrou
              " layers: [{material: steel, thickness: 0.001}]}\n"
              "loads:\n  pull: {type: pluck, body: plate, at: [0, 0, 0], force: [0, 0, 1]}\n"
              "  breeze: {type: wind, velocity: [1, 0, 0]}\n"
+             "  rub: {type: bow, body: plate, at: [0, 0, 0], direction: [1, 0, 0], speed: 1, load: 1}\n"
              "  tap: {body: plate, ") +
          "  ears: {type: stereo, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
          "  head: {type: binaural, position: [0, 0, 1], look: [0, 0, -1], up: [0, 1, 0]}\n"
@@ -121,6 +122,8 @@ inline const std::map<std::string, std::string>& every_path() {
       {"loads.NAME, type: pluck", "loads.pull"},
       {"loads.NAME, type: wind", "loads.breeze"},
       {"loads.NAME.gusts", "loads.breeze.gusts"},
+      {"loads.NAME, type: bow", "loads.rub"},
+      {"loads.NAME.friction", "loads.rub.friction"},
       {"gauges.NAME", "gauges.bow"},
       {"gauges.NAME.points.INDEX", "gauges.bow.points.0"},
       {"listeners.NAME, type: mono", "listeners.ear"},

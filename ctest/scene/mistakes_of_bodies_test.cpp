@@ -238,6 +238,17 @@ TEST_F(MistakenBodies, Winds) {
   });
 }
 
+TEST_F(MistakenBodies, Bows) {
+  expect({
+      {"loads:\n", "loads:\n  rub: {type: bow, at: [0, 0, 0], direction: [1, 0, 0], speed: [], load: -1}\n",
+       "deck.yaml:8:64: loads.rub.speed: the list is empty; give a number, or points [time, value]\n"
+       "deck.yaml:8:74: loads.rub.load: must be at least 0 and at most 1000000 N, found -1"},
+      {"loads:\n",
+       "loads:\n  rub: {type: bow, at: [0, 0, 0], direction: [1, 0, 0], speed: 1, load: 1, friction: {sliding: 0.9}}\n",
+       "deck.yaml:8:86: loads.rub.friction: the coefficient of sliding, 0.9, is above that of sticking, 0.8"},
+  });
+}
+
 TEST_F(MistakenBodies, Signals) {
   write("force.csv", "0, 0\n1e-3, 1\n");
   expect({

@@ -160,7 +160,7 @@ TEST_F(Mistaken, Names) {
       {"tap: {", "tap: {body: platte, ",
        "deck.yaml:8:15: loads.tap.body: must be one of plate, found 'platte' (did you mean 'plate'?)"},
       {"tap: {", "tap: {type: pulck, ",
-       "deck.yaml:8:15: loads.tap.type: must be one of pulse, pluck, wind, found 'pulck' (did you mean 'pulse'?)"},
+       "deck.yaml:8:15: loads.tap.type: must be one of pulse, pluck, wind, bow, found 'pulck' (did you mean 'pulse'?)"},
       {"mono", "quadro", "deck.yaml:10:15: listeners.ear.type: must be one of mono, stereo, binaural, found 'quadro'"},
   });
 }

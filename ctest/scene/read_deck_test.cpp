@@ -256,6 +256,29 @@ TEST_F(ReadDeck, ReadsWinds) {
   EXPECT_EQ(scene.winds[1].signal.at(0.5), 0.0);
 }
 
+TEST_F(ReadDeck, ReadsBows) {
+  const Scene scene =
+      read(replaced(plate, "loads:\n",
+                    "loads:\n  rub: {type: bow, at: [1, 2, 3], direction: [0, 0, 2], speed: 0.2, load: 1}\n"
+                    "  draw: {type: bow, at: [0, 0, 0], radius: 0.1, direction: [1, 0, 0], speed: [[0, "
+                    "0], [1, 0.4]], load: 2, start: 0.5, duration: 3, friction: {sliding: 0.2}}\n"));
+  ASSERT_EQ(scene.bows.size(), 2U);
+  EXPECT_EQ(scene.bows[0].name, "rub");
+  EXPECT_EQ(scene.bows[0].place.at, Vector3(1, 2, 3));
+  EXPECT_EQ(scene.bows[0].direction, Vector3::UnitZ());
+  EXPECT_EQ(scene.bows[0].speed.at(7.0), 0.2);
+  EXPECT_EQ(scene.bows[0].load_at(7.0), 1.0);
+  EXPECT_EQ(scene.bows[0].start, 0.0);
+  EXPECT_EQ(scene.bows[0].duration, unending);
+  EXPECT_EQ(scene.bows[0].friction.sliding, 0.3);
+  EXPECT_EQ(scene.bows[1].place.radius, 0.1);
+  EXPECT_EQ(scene.bows[1].speed.at(0.5), 0.2);
+  EXPECT_EQ(scene.bows[1].load_at(0.005), 1.0);
+  EXPECT_EQ(scene.bows[1].start, 0.5);
+  EXPECT_EQ(scene.bows[1].duration, 3.0);
+  EXPECT_EQ(scene.bows[1].friction.sliding, 0.2);
+}
+
 TEST_F(ReadDeck, ReadsGauges) {
   const Scene scene =
       read(replaced(replaced(plate, "bodies:\n", "bodies:\n  bar: {mesh: shapes/bar.msh, material: steel}\n"), "tap: {",

@@ -8,7 +8,6 @@
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/solids/eigenmodes/whole_shapes.hpp"
-#include "idiophone/solids/joints/meshed_joint.hpp"
 #include "idiophone/solids/motion/attachments.hpp"
 
 namespace idiophone::app {
@@ -25,7 +24,7 @@ BodyModes find_body_modes(const scene::Solids& solids, const std::vector<mesh::M
   for (auto* each : {&modes.offsets.nodes, &modes.offsets.elements, &modes.offsets.triangles}) {
     parallel::broadcast(*each, communicator);
   }
-  modes.part = mesh::distribute(meshes, communicator, joints::coupled_nodes(attachments.joints));
+  modes.part = mesh::distribute(meshes, communicator, motion::coupled_nodes(attachments));
   modes.found = eigenmodes::find_modes(solids, modes.part, attachments, options, communicator);
   modes.shapes = eigenmodes::whole_shapes(modes.found, modes.part, communicator);
   return modes;

@@ -36,6 +36,7 @@ Scene assembly_of(Scene scene, std::size_t body) {
   scene.pulses.clear();
   scene.plucks.clear();
   scene.winds.clear();
+  scene.bows.clear();
   scene.contacts.clear();
   scene.gauges.clear();
   return scene;

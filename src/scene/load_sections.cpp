@@ -1,3 +1,4 @@
+#include "idiophone/scene/bow_keys.hpp"
 #include "idiophone/scene/ranges.hpp"
 #include "idiophone/scene/sections.hpp"
 
@@ -15,11 +16,11 @@ static bool read(const Node& node, Mistakes& mistakes, Gusts& gusts) {
 
 namespace {
 
-enum class LoadType { pulse, pluck, wind };
+enum class LoadType { pulse, pluck, wind, bow };
 
-/// The keys that pulses and plucks have: body, at, radius, force.
+/// The keys that all loads on a patch have: body, at, radius.
 template <class Load>
-void read_force(Section& section, Load& load, const std::vector<Body>& bodies) {
+void read_patch(Section& section, Load& load, const std::vector<Body>& bodies) {
   load.name = section.node().key;
   if (bodies.size() > 1) {
     section.required("body", load.body, names_of(bodies));
@@ -27,6 +28,12 @@ void read_force(Section& section, Load& load, const std::vector<Body>& bodies) {
     section.optional("body", load.body, names_of(bodies));
   }
   read_place(section, load.place);
+}
+
+/// The keys that pulses and plucks have: those of a patch, and force.
+template <class Load>
+void read_force(Section& section, Load& load, const std::vector<Body>& bodies) {
+  read_patch(section, load, bodies);
   if (section.required("force", load.force, force_component) && load.force.isZero(0.0)) {
     section.mistakes().add(*section.find("force"), "is zero; a load needs a force (N)");
   }
@@ -88,8 +95,18 @@ void read_wind(Section& section, Scene& scene) {
   read_signal(section, {scene.deck.parent_path()}, wind.signal);
 }
 
+void read_bow(Section& section, Scene& scene) {
+  Bow& bow = scene.bows.emplace_back();
+  read_patch(section, bow, scene.bodies);
+  read_bowing(section, bow, positive_seconds.at_most);
+  section.optional("start", bow.start, Range{.at_least = 0.0, .at_most = positive_seconds.at_most, .unit = "s"});
+  bow.duration = infinity;
+  section.optional("duration", bow.duration, positive_seconds);
+}
+
 void read_load(const Node& node, Mistakes& mistakes, Scene& scene) {
-  const Choices<LoadType> types{{{"pulse", LoadType::pulse}, {"pluck", LoadType::pluck}, {"wind", LoadType::wind}}};
+  const Choices<LoadType> types{
+      {{"pulse", LoadType::pulse}, {"pluck", LoadType::pluck}, {"wind", LoadType::wind}, {"bow", LoadType::bow}}};
   Section section(node, mistakes);
   LoadType type = LoadType::pulse;
   if (!section.optional("type", type, types)) {
@@ -104,6 +121,9 @@ void read_load(const Node& node, Mistakes& mistakes, Scene& scene) {
       break;
     case LoadType::wind:
       read_wind(section, scene);
+      break;
+    case LoadType::bow:
+      read_bow(section, scene);
       break;
   }
   section.finish();

@@ -10,6 +10,7 @@ Solids::Solids(const Scene& scene)
       pulses(scene.pulses),
       plucks(scene.plucks),
       winds(scene.winds),
+      bows(scene.bows),
       obstacles(scene.obstacles),
       contacts(scene.contacts),
       joints(scene.joints),
@@ -24,6 +25,7 @@ Solids Solids::alone(std::size_t body) const {
   result.pulses = {};
   result.plucks = {};
   result.winds = {};
+  result.bows = {};
   result.contacts = {};
   result.joints = {};
   result.gauges = {};

@@ -64,6 +64,15 @@ TEST(ElastoPlasticFriction, NeverGivesMoreThanItWasGiven) {
   }
 }
 
+TEST(ElastoPlasticFriction, AtTheEndOfAStepHasTheForceOfItsEnd) {
+  const Law law{.sticking = 0.8, .sliding = 0.3, .stribeck_speed = 0.1, .stiffness = 1e6};
+  ElastoPlasticFriction friction(law, step, Deflection::end);
+  EXPECT_NEAR(slide(friction, 1e-4, 1.0, 50), law.stiffness * 50 * step * 1e-4, 1e-12);  // sticks: no half step late
+  EXPECT_NEAR(friction.deflection(), 50 * step * 1e-4, 1e-18);
+  slide(friction, 2.0, 1.0, 3);  // slides by 140 times the deflection in each step, and does not alternate
+  EXPECT_NEAR(law.stiffness * friction.deflection(), 0.3, 0.003);
+}
+
 TEST(ElastoPlasticFriction, FindsTheVelocityThatTheForceLeaves) {
   std::mt19937_64 random(5);
   std::uniform_real_distribution<double> any(-1.0, 1.0);

@@ -80,6 +80,7 @@ TEST(ArchiveNames, EveryStateOfComputedAndRecordedBodiesIsDocumented) {
   const scene::Scene scene = scene::read_deck(
       IDIOPHONE_SOURCE_DIR "/ctest/app/decks/touching.yaml",
       {"materials.foam.damping={loss_factor: 0.1, band: [50, 3000]}", "bodies.block.model={type: modal, count: 2}",
+       "loads={rub: {type: bow, body: block, at: [0.12, 0, 0.0151], direction: [0, 1, 0], speed: 1, load: 1}}",
        "bodies.bar={mesh: seam.geo, position: [1, 0, 0], material: rubber, fracture: [{surface: seam, strength: 1}]}"});
   const Preparation ready = prepare(scene, MPI_COMM_WORLD);
   parallel::Stages stages;

@@ -172,39 +172,44 @@ TEST(ContactChannels, GiveTheImpulseThatTurnsABallRound) {
   EXPECT_EQ(moved.vector("/contacts/left/force", 20), Vector3::Zero());
 }
 
-TEST(WindChannels, HaveTheSameBitsOnAnyNumberOfRanks) {
+TEST(LoadChannels, HaveTheSameBitsOnAnyNumberOfRanks) {
   const std::vector<std::string> gusty = {
       "bodies.ball.spin=[0, 0, 50]", "output.motion_per_second=2000",
-      "loads={breeze: {type: wind, velocity: [3, -4, 12], drag: 2, gusts: {intensity: 0.3, time: 0.01, seed: 5}}}"};
+      "loads={breeze: {type: wind, velocity: [3, -4, 12], drag: 2, gusts: {intensity: 0.3, time: 0.01, seed: 5}}, "
+      "rub: {type: bow, at: [0.04, 0, 0], radius: 0.05, direction: [0, 1, 1], speed: 0.5, load: 3}}"};
   const Moved together("free.yaml", gusty, 30);
   const Moved alone("free.yaml", gusty, 30, MPI_COMM_SELF);
   if (support::rank() == 0) {
     EXPECT_THAT(alone.rows.at("/loads/breeze/force"), SizeIs(3 * 31));
+    EXPECT_GT(alone.vector("/loads/rub/force", 30).norm(), 0.1);
     EXPECT_EQ(together.rows, alone.rows);
   }
 }
 
 ON_RANKS(1);  // a modal body lies on one rank
 
-TEST(WindChannels, GiveTheForceThatMovesFiniteElementsAndModes) {
-  for (const char* model : {"{type: finite_elements}", "{type: modal, up_to: 500}"}) {
+TEST(LoadChannels, GiveTheForceThatMovesFiniteElementsAndModes) {
+  const std::string wind = "{type: wind, velocity: [30, 0, 0]}";
+  const std::string bow = "{type: bow, at: [0.04, 0, 0], direction: [1, 0, 0], speed: 2, load: 0.5}";
+  for (const auto& [model, load] :
+       {std::pair("{type: finite_elements}", wind), std::pair("{type: modal, up_to: 500}", wind),
+        std::pair("{type: finite_elements}", bow), std::pair("{type: modal, up_to: 500}", bow)}) {
     const Moved moved("free.yaml",
                       {fmt::format("bodies.ball.model={}", model), "output.motion_per_second=2000",
-                       "loads={breeze: {type: wind, velocity: [30, 0, 0]}}"},
+                       fmt::format("loads={{pull: {}}}", load)},
                       60);
     if (support::rank() != 0) {
       continue;
     }
     Vector3 impulse = Vector3::Zero();
     for (std::size_t row = 0; row < 60; ++row) {
-      impulse +=
-          (moved.vector("/loads/breeze/force", row) + moved.vector("/loads/breeze/force", row + 1)) / (2.0 * rate);
+      impulse += (moved.vector("/loads/pull/force", row) + moved.vector("/loads/pull/force", row + 1)) / (2.0 * rate);
     }
     const Vector3 change = moved.vector("/motion/ball/velocity", 60) - moved.vector("/motion/ball/velocity", 0);
-    EXPECT_GT(change.x(), 0.01) << model;
-    EXPECT_LT((impulse - moved.ready.initial_state.masses[0] * change).norm(), 2e-3 * impulse.norm()) << model;
+    EXPECT_GT(change.x(), 0.01) << model << load;
+    EXPECT_LT((impulse - moved.ready.initial_state.masses[0] * change).norm(), 2e-3 * impulse.norm()) << model << load;
     EXPECT_NEAR(moved.at("/energy", 60, 4) / (moved.at("/energy", 60, 0) + moved.at("/energy", 60, 1)), 1.0, 0.02)
-        << model;
+        << model << load;
   }
 }
 

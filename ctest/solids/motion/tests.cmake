@@ -1,1 +1,1 @@
-idiophone_test(solids/motion LINKS idiophone_test_support idiophone_petsc_environment)
+idiophone_test(solids/motion LINKS idiophone_resonators idiophone_test_support idiophone_petsc_environment)

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "idiophone/scene/body.hpp"
+#include "idiophone/scene/bowing.hpp"
 
 namespace idiophone::scene {
 
@@ -25,6 +26,14 @@ struct Pluck {
   std::size_t body = 0;  ///< index into Scene::bodies
   PatchPlace place;
   Vector3 force = Vector3::Zero();  ///< N, of the whole patch
+};
+
+/// A bow rubs a patch of a body; see motion::BowLoad.
+struct Bow : Bowing {
+  std::string name;
+  std::size_t body = 0;  ///< index into Scene::bodies
+  PatchPlace place;
+  double start = 0.0;  ///< s
 };
 
 /// Random changes of a wind, the same for each component.

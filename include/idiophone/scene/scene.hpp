@@ -32,6 +32,7 @@ struct Scene {
   std::vector<ForcePulse> pulses;
   std::vector<Pluck> plucks;
   std::vector<Wind> winds;
+  std::vector<Bow> bows;
   std::vector<Obstacle> obstacles;
   std::vector<Contact> contacts;
   std::vector<Joint> joints;

@@ -66,7 +66,8 @@ bool read(const Node& node, Mistakes& mistakes, Obstacle& obstacle, const Scene&
 /// contacts: {NAME: {between, friction, damping, stiffness}}; the scene's bodies and obstacles must be there already.
 bool read_contacts(Section& deck, Scene& scene);
 
-/// loads: appended to the scene's pulses, plucks and winds; its deck's place and its bodies must be there already.
+/// loads: appended to the scene's pulses, plucks, winds and bows; its deck's place and its bodies must be there
+/// already.
 bool read_loads(const Node& node, Mistakes& mistakes, Scene& scene);
 
 /// joints: {NAME: {between, stiffness or material and thickness, damping, reach}}; the scene's bodies, materials and

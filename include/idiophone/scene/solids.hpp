@@ -25,6 +25,7 @@ struct Solids {
   std::span<const ForcePulse> pulses;
   std::span<const Pluck> plucks;
   std::span<const Wind> winds;
+  std::span<const Bow> bows;
   std::span<const Obstacle> obstacles;
   std::span<const Contact> contacts;
   std::span<const Joint> joints;

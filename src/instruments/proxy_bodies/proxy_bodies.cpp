@@ -183,7 +183,7 @@ void warn_of_what_proxies_lack(const scene::Scene& scene) {
   if (std::ranges::any_of(scene.listeners, [](const auto& listener) { return listener.attached.has_value(); })) {
     spdlog::warn("listeners of proxies stand still: `attached` has no effect");
   }
-  if (!scene.pulses.empty() || !scene.plucks.empty() || !scene.winds.empty()) {
+  if (!scene.pulses.empty() || !scene.plucks.empty() || !scene.winds.empty() || !scene.bows.empty()) {
     spdlog::warn("the loads of the deck are left out; --score says what is done to proxies");
   }
 }

@@ -89,7 +89,7 @@ std::vector<spectra::Series> body_series(const Preparation& ready) {
        "J",
        0.0,
        {"kinetic", "elastic", "contact", "gravitational", "work"},
-       "energies of all bodies and contacts, and the work done on them by pulses, winds and driven groups",
+       "energies of all bodies and contacts, and the work done on them by pulses, winds, bows and driven groups",
        {}}};
   if (has_joints(ready)) {
     all.front().columns.emplace_back("joints");

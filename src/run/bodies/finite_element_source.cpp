@@ -30,7 +30,7 @@ FiniteElementSource::FiniteElementSource(const Preparation& ready, parallel::Sta
       warned_(ready.scene.bodies.size()),
       body_channels_(ready, motion_, communicator),
       contact_channels_(ready.scene, motion_, communicator),
-      wind_channels_(ready.scene, motion_, communicator),
+      load_channels_(ready.scene, motion_, communicator),
       gauge_channels_(ready, motion_, communicator),
       fracture_channels_(ready, motion_, communicator) {
   motion_.balance_loads(ready.initial_state);
@@ -90,7 +90,7 @@ void FiniteElementSource::note_channels() {
   if (sample_ <= sound_samples(ready_.scene)) {  // what comes after only completes the sound
     body_channels_.note(sample_);
     contact_channels_.note(sample_);
-    wind_channels_.note(sample_);
+    load_channels_.note(sample_);
     gauge_channels_.note(sample_);
     fracture_channels_.note(sample_);
   }

@@ -24,6 +24,11 @@ std::vector<Index> loaded_nodes(const Preparation& ready, std::size_t body) {
       add(attachments.pulses[p]);
     }
   }
+  for (std::size_t b = 0; b < attachments.bows.size(); ++b) {
+    if (ready.scene.bows[b].body == body) {
+      add(attachments.bows[b]);
+    }
+  }
   for (const auto& triangles : attachments.winds) {
     for (const Index node : std::views::join(triangles)) {
       if (node >= ready.offsets.nodes[body] && node < ready.offsets.nodes[body + 1]) {

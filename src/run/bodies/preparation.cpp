@@ -11,7 +11,6 @@
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/solids/contact/outline.hpp"
-#include "idiophone/solids/joints/meshed_joint.hpp"
 #include "modal_preparation.hpp"
 #include "preparation_report.hpp"
 #include "steps.hpp"
@@ -124,7 +123,7 @@ Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& whole, MP
   for (auto* offsets : {&ready.offsets.nodes, &ready.offsets.elements, &ready.offsets.triangles}) {
     parallel::broadcast(*offsets, communicator);
   }
-  ready.part = mesh::distribute(meshes, communicator, joints::coupled_nodes(ready.attachments.joints));
+  ready.part = mesh::distribute(meshes, communicator, motion::coupled_nodes(ready.attachments));
   if (ready.scene.radiation.needs_radii()) {
     ready.radii = find_radii(ready, meshes, communicator);
   }

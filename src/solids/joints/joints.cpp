@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "idiophone/foundation/each_once.hpp"
+#include "idiophone/solids/mesh/local_numbers.hpp"
 #include "joint_stretch.hpp"
 
 namespace idiophone::joints {
@@ -12,31 +13,9 @@ using solid::NodeState;
 
 namespace {
 
-/// From global to local node numbers.
-class LocalNumbers {
- public:
-  explicit LocalNumbers(const mesh::Part& part) : part_(part) {}
-
-  [[nodiscard]] Index of(Index node) const {
-    const auto ghosts = part_.node_ids.begin() + part_.owned_nodes;
-    const auto found = std::lower_bound(part_.node_ids.begin(), ghosts, node);
-    const bool is_owned = found != ghosts && *found == node;
-    return static_cast<Index>((is_owned ? found : std::lower_bound(ghosts, part_.node_ids.end(), node)) -
-                              part_.node_ids.begin());
-  }
-
-  [[nodiscard]] bool owns(Index node) const {
-    const auto owned = std::span(part_.node_ids).first(part_.owned_nodes);
-    return std::ranges::binary_search(owned, node);
-  }
-
- private:
-  const mesh::Part& part_;
-};
-
 /// The points that have an owned node.
 MeshedJoint local_joint(const MeshedJoint& joint, const mesh::Part& part) {
-  const LocalNumbers numbers(part);
+  const mesh::LocalNumbers numbers(part);
   MeshedJoint local{
       .normal = joint.normal, .tangential = joint.tangential, .damping = joint.damping, .points = {}, .weights = {}};
   for (const JointPoint& point : joint.points) {

@@ -1,6 +1,7 @@
 #include "idiophone/solids/motion/attachments.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 #include "hinge.hpp"
@@ -69,6 +70,7 @@ template <class Visitor>
 void for_each_patch(Attachments& attachments, Visitor visit) {
   std::ranges::for_each(attachments.pulses, visit);
   std::ranges::for_each(attachments.plucks, visit);
+  std::ranges::for_each(attachments.bows, visit);
   for (auto& points : attachments.gauges) {
     std::ranges::for_each(points, visit);
   }
@@ -83,6 +85,7 @@ Attachments empty_for(const scene::Solids& solids) {
   Attachments attachments;
   attachments.pulses.resize(solids.pulses.size());
   attachments.plucks.resize(solids.plucks.size());
+  attachments.bows.resize(solids.bows.size());
   attachments.winds.resize(solids.winds.size());
   for (const auto& gauge : solids.gauges) {
     attachments.gauges.emplace_back(gauge.points.size());
@@ -108,6 +111,9 @@ Attachments attach(const scene::Solids& solids, const std::vector<mesh::Mesh>& m
   }
   for (const auto& pluck : solids.plucks) {
     attachments.plucks.push_back(shifted(mesh::find_patch(meshes[pluck.body], pluck.place), offset[pluck.body]));
+  }
+  for (const auto& bow : solids.bows) {
+    attachments.bows.push_back(shifted(mesh::find_patch(meshes[bow.body], bow.place), offset[bow.body]));
   }
   for (const auto& wind : solids.winds) {
     attachments.winds.push_back(surfaces(meshes, offset, wind.body));
@@ -156,6 +162,12 @@ Attachments broadcast(Attachments attachments, const scene::Solids& solids, MPI_
   parallel::broadcast(attachments.pulse_points, communicator);
   attachments.joints = joints::broadcast(std::move(attachments.joints), communicator);
   return attachments;
+}
+
+std::vector<std::vector<Index>> coupled_nodes(const Attachments& attachments) {
+  std::vector<std::vector<Index>> coupled = joints::coupled_nodes(attachments.joints);
+  std::ranges::transform(attachments.bows, std::back_inserter(coupled), &mesh::Patch::nodes);
+  return coupled;
 }
 
 mesh::Patch owned(const mesh::Patch& patch, const mesh::Part& part) {

@@ -62,6 +62,7 @@ double FiniteElementDynamics::predicted_shift(std::size_t body) const {
 }
 
 void Dynamics::begin(double step) {
+  loads_.begin(step);
   for (const auto& body : bodies_) {
     body->begin(step);
   }
@@ -112,8 +113,8 @@ void Dynamics::finish_force(double time, std::span<const NodeState> state, std::
   for (const auto& body : bodies_) {
     body->finish_internal_force(state, force);
   }
-  loads_.remember(time, state);
   add_outer_forces(time, state, force);
+  loads_.remember(time, state);
 }
 
 void Dynamics::advance_velocities(const Step& step, std::span<NodeForce> force, std::span<NodeState> state,
@@ -192,6 +193,7 @@ void Dynamics::update_nodes(std::span<NodeState> state) {
 }
 
 void Dynamics::archive(parallel::Archive& archive) {
+  loads_.archive(archive);
   for (const auto& body : bodies_) {
     body->archive(archive);
   }

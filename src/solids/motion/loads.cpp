@@ -31,6 +31,9 @@ Loads::Loads(const scene::Solids& solids, const mesh::Part& part, const Attachme
   for (std::size_t w = 0; w < solids.winds.size(); ++w) {
     winds_.emplace_back(solids.winds[w], solids.air_density, attachments.winds[w], part);
   }
+  for (std::size_t i = 0; i < solids.bows.size(); ++i) {
+    bows_.emplace_back(solids.bows[i], attachments.bows[i], part);
+  }
   for (std::size_t b = 0; b < solids.bodies.size(); ++b) {
     const auto& supports = solids.bodies[b].supports;
     for (std::size_t i = 0; i < supports.size(); ++i) {
@@ -40,6 +43,12 @@ Loads::Loads(const scene::Solids& solids, const mesh::Part& part, const Attachme
             {patch.nodes[n], supports[i].stiffness * patch.shares[n], supports[i].damping * patch.shares[n]});
       }
     }
+  }
+}
+
+void Loads::begin(double step) {
+  for (BowLoad& bow : bows_) {
+    bow.begin(step);
   }
 }
 
@@ -68,6 +77,9 @@ void Loads::remember(double time, std::span<const NodeState> state) {
   for (Wind& wind : winds_) {
     wind.remember(time, state);
   }
+  for (BowLoad& bow : bows_) {
+    bow.remember(time, state);
+  }
 }
 
 void Loads::add(double time, std::span<const NodeState> state, std::span<NodeForce> force) const {
@@ -89,6 +101,9 @@ void Loads::add(double time, std::span<const NodeState> state, std::span<NodeFor
   }
   for (const Wind& wind : winds_) {
     wind.add(time, state, force);
+  }
+  for (const BowLoad& bow : bows_) {
+    bow.add(time, state, force);
   }
   for (const Spring& spring : springs_) {
     const NodeState& node = state[spring.node];
@@ -116,6 +131,9 @@ void Loads::add_work(const Step& step, std::span<const NodeState> state, Reprodu
   for (const Wind& wind : winds_) {
     wind.add_work(step, state, work);
   }
+  for (const BowLoad& bow : bows_) {
+    bow.add_work(step, state, work);
+  }
 }
 
 std::vector<Index> Loads::pulsed_nodes(double begin, double end) const {
@@ -129,6 +147,11 @@ std::vector<Index> Loads::pulsed_nodes(double begin, double end) const {
   for (const Wind& wind : winds_) {
     all.insert(all.end(), wind.nodes().begin(), wind.nodes().end());
   }
+  for (const BowLoad& bow : bows_) {
+    if (bow.acts(begin, end)) {
+      std::ranges::copy(bow.nodes(), std::back_inserter(all));
+    }
+  }
   return all;
 }
 
@@ -140,6 +163,9 @@ std::vector<Index> Loads::nodes() const {
   for (const Wind& wind : winds_) {
     all.insert(all.end(), wind.nodes().begin(), wind.nodes().end());
   }
+  for (const BowLoad& bow : bows_) {
+    std::ranges::copy(bow.nodes(), std::back_inserter(all));
+  }
   std::ranges::transform(springs_, std::back_inserter(all), &Spring::node);
   return all;
 }
@@ -147,6 +173,26 @@ std::vector<Index> Loads::nodes() const {
 void Loads::add_support_stiffness(std::span<double> stiffness) const {
   for (const Spring& spring : springs_) {
     stiffness[spring.node] += spring.stiffness;
+  }
+}
+
+void Loads::add_bow_bounds(std::span<double> stiffness, std::span<double> damping) const {
+  for (const BowLoad& bow : bows_) {
+    bow.add_bounds(stiffness, damping);
+  }
+}
+
+void Loads::archive(parallel::Archive& archive) {
+  std::vector<Index> here;  // ranks that share a patch have the same rows
+  for (std::size_t b = 0; b < bows_.size(); ++b) {
+    if (bows_[b].is_here()) {
+      here.push_back(static_cast<Index>(b));
+    }
+  }
+  if (!bows_.empty()) {
+    const parallel::Rows rows(here, static_cast<std::int64_t>(bows_.size()), archive.communicator());
+    archive.rows("motion/bows", rows,
+                 [&](std::size_t row, parallel::ArchiveRow& numbers) { bows_[here[row]].archive(numbers); });
   }
 }
 

@@ -92,7 +92,7 @@ bool is_moved(const scene::Solids& solids, std::size_t body) {
   const scene::Body& moved = solids.bodies[body];
   const auto acts = [&](const auto& load) { return load.body == body; };
   return !moved.driven.empty() || std::ranges::any_of(solids.pulses, acts) ||
-         std::ranges::any_of(solids.plucks, acts) ||
+         std::ranges::any_of(solids.plucks, acts) || std::ranges::any_of(solids.bows, acts) ||
          std::ranges::any_of(solids.winds, [&](const scene::Wind& wind) { return wind.body.value_or(body) == body; });
 }
 

@@ -14,9 +14,9 @@
 #include "idiophone/run/bodies/contact_channels.hpp"
 #include "idiophone/run/bodies/fracture_channels.hpp"
 #include "idiophone/run/bodies/gauge_channels.hpp"
+#include "idiophone/run/bodies/load_channels.hpp"
 #include "idiophone/run/bodies/source.hpp"
 #include "idiophone/run/bodies/stability_watch.hpp"
-#include "idiophone/run/bodies/wind_channels.hpp"
 #include "idiophone/solids/motion/motion.hpp"
 
 namespace idiophone::bodies {
@@ -44,7 +44,7 @@ class FiniteElementSource : public Source {
   void start(surface::SurfaceMotion& motion) override;
   void advance(surface::SurfaceMotion& motion) override;
   [[nodiscard]] std::vector<ChannelGroup*> channels() override {
-    return {&body_channels_, &contact_channels_, &wind_channels_, &gauge_channels_, &fracture_channels_};
+    return {&body_channels_, &contact_channels_, &load_channels_, &gauge_channels_, &fracture_channels_};
   }
   /// Throws when the motion is unstable. Warns of modal bodies that vibrate too far for their modes.
   void check() override;
@@ -83,7 +83,7 @@ class FiniteElementSource : public Source {
   std::vector<bool> warned_;  ///< [bodies] of their vibration
   BodyChannels body_channels_;
   ContactChannels contact_channels_;
-  WindChannels wind_channels_;
+  LoadChannels load_channels_;
   GaugeChannels gauge_channels_;
   FractureChannels fracture_channels_;
   std::int64_t sample_ = 0;  ///< audio samples that the motion has done

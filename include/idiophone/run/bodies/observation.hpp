@@ -18,7 +18,7 @@ struct Observation {
   std::vector<motion::BodyMotion> pieces;  ///< [motion::InitialState::pieces]
   double contact = 0.0;                    ///< energy stored in overlaps and bonds of friction, J
   double joint = 0.0;                      ///< energy stored in joints, J
-  double work = 0.0;                       ///< done so far by pulses, winds and driven groups, J
+  double work = 0.0;                       ///< done so far by pulses, winds, bows and driven groups, J
   double gravitational = 0.0;              ///< potential energy against the origin, J
 
   [[nodiscard]] double kinetic() const;  ///< energy of all bodies, J

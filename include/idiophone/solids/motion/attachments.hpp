@@ -26,6 +26,7 @@ struct Attachments {
   std::vector<Vector3>
       pulse_points;  ///< [Solids::pulses] mean point of the patch: the shares times the nodes' positions, m
   std::vector<mesh::Patch> plucks;                 ///< [Solids::plucks]
+  std::vector<mesh::Patch> bows;                   ///< [Solids::bows]
   std::vector<std::vector<mesh::Triangle>> winds;  ///< [Solids::winds] surfaces that they push, in their order
   std::vector<std::vector<mesh::Patch>> gauges;    ///< [Solids::gauges][points]
   std::vector<joints::MeshedJoint> joints;         ///< [Solids::joints]
@@ -39,6 +40,9 @@ struct Attachments {
 
 /// Rank 0's attachments, on every rank. Collective.
 [[nodiscard]] Attachments broadcast(Attachments attachments, const scene::Solids& solids, MPI_Comm communicator);
+
+/// Sets of nodes that joints and bows couple, for mesh::distribute(): a rank that owns one of a set needs the others.
+[[nodiscard]] std::vector<std::vector<Index>> coupled_nodes(const Attachments& attachments);
 
 /// The nodes of a patch that this rank owns, in local numbers, with their shares (empty for groups).
 [[nodiscard]] mesh::Patch owned(const mesh::Patch& patch, const mesh::Part& part);

@@ -33,7 +33,7 @@ class Dynamics {
   Dynamics(Dynamics&&) = delete;
   Dynamics& operator=(Dynamics&&) = delete;
 
-  /// From now on, steps have this length, s: materials with a loss factor begin to remember their strain.
+  /// From now on, steps have this length, s: materials with a loss factor and bows begin to remember.
   void begin(double step);
 
   /// Initial state: at rest but for the bodies' velocity and spin, constraints in place. [local nodes]; owned ones are
@@ -41,15 +41,15 @@ class Dynamics {
   /// @param centres  [bodies] centres of mass, m
   void start(std::span<const scene::Body> bodies, const std::vector<Vector3>& centres, std::span<NodeState> state);
 
-  /// Forces on the owned nodes, N, from the bodies themselves, joints, pulses, winds and supports; gravity and
+  /// Forces on the owned nodes, N, from the bodies themselves, joints, pulses, winds, bows and supports; gravity and
   /// mass-proportional damping come in `advance_velocities`. Needs the state of the ghosts, too.
   /// @param time   t_n, s
   /// @param state  [local nodes] u_n and v_{n-1/2}
   /// @param force  [local nodes] overwritten; meaningless at ghosts
   void compute_force(double time, std::span<const NodeState> state, std::span<NodeForce> force) const;
 
-  /// The same, once a step and in two parts: the materials' memory goes on to the present, and what winds do is noted
-  /// for their work. After hide_exchange(), the first part needs no ghosts.
+  /// The same, once a step and in two parts: the materials' and bows' memory goes on to the present, and what winds do
+  /// is noted for their work. After hide_exchange(), the first part needs no ghosts.
   void begin_force(std::span<const NodeState> state, std::span<NodeForce> force);
   void finish_force(double time, std::span<const NodeState> state, std::span<NodeForce> force);
 
@@ -64,7 +64,7 @@ class Dynamics {
                           ReproducibleSum& work);
 
   /// The second half.
-  /// @param work  what pulses and winds do in this step is added, J
+  /// @param work  what pulses, winds and bows do in this step is added, J
   void advance_displacements(const Step& step, std::span<NodeState> state, ReproducibleSum& work);
 
   /// Of the motion at t_n; see BodyModel::add_sums.

@@ -1,5 +1,6 @@
 #pragma once
-// External forces: pulses on patches, winds, and spring-dashpot supports. Gravity acts on accelerations (dynamics.hpp).
+// External forces: pulses on patches, winds, bows, and spring-dashpot supports. Gravity acts on accelerations
+// (dynamics.hpp).
 
 #include <optional>
 #include <span>
@@ -8,6 +9,7 @@
 #include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/motion/attachments.hpp"
 #include "idiophone/solids/motion/body_model.hpp"
+#include "idiophone/solids/motion/bow_load.hpp"
 #include "idiophone/solids/motion/wind.hpp"
 
 namespace idiophone::motion {
@@ -19,6 +21,9 @@ class Loads {
  public:
   Loads(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments);
 
+  /// From now on, steps have this length, s.
+  void begin(double step);
+
   /// Finds the forces of inertia that balance pulses: each node's mass times the acceleration that the pulse would give
   /// the rigid, undeformed body. They cancel its force and moment and do no work on vibrations, whose modes are
   /// orthogonal to rigid motions.
@@ -26,27 +31,35 @@ class Loads {
   void balance(const mesh::Part& part, const InitialState& initial_state,
                std::span<const std::span<const double>> masses);
 
-  /// Notes what depends on the motion and is needed by add_work(), once a step.
+  /// Once a step, after add(): notes what depends on the motion and is needed by add_work(), and what bows remember
+  /// goes on to `time`.
   void remember(double time, std::span<const NodeState> state);
 
-  /// Adds all pulses and winds at `time` (s) and the supports' forces to the owned nodes' forces, N, in the deck's
-  /// order.
+  /// Adds all pulses, winds and bows at `time` (s) and the supports' forces to the owned nodes' forces, N, in the
+  /// deck's order.
   void add(double time, std::span<const NodeState> state, std::span<NodeForce> force) const;
 
-  /// Adds the work that the pulses and winds do in the step, with the velocities of that step, J.
+  /// Adds the work that the pulses, winds and bows do in the step, with the velocities of that step, J.
   void add_work(const Step& step, std::span<const NodeState> state, ReproducibleSum& work) const;
 
-  /// Owned nodes on which a pulse or a wind may act from `begin` to `end` (s), in the deck's order; a node may occur
-  /// more than once.
+  /// Owned nodes on which a pulse, a wind or a bow may act from `begin` to `end` (s), in the deck's order; a node may
+  /// occur more than once.
   [[nodiscard]] std::vector<Index> pulsed_nodes(double begin, double end) const;
 
-  [[nodiscard]] const std::vector<Wind>& winds() const { return winds_; }  ///< [Solids::winds]
+  [[nodiscard]] const std::vector<Wind>& winds() const { return winds_; }   ///< [Solids::winds]
+  [[nodiscard]] const std::vector<BowLoad>& bows() const { return bows_; }  ///< [Solids::bows]
 
   /// Owned nodes that something acts on from outside, in the deck's order; a node may occur more than once.
   [[nodiscard]] std::vector<Index> nodes() const;
 
   /// Adds the supports' stiffness at each owned node, N/m, the same in all directions. [owned nodes]
   void add_support_stiffness(std::span<double> stiffness) const;
+
+  /// See BowLoad::add_bounds. [local nodes]
+  void add_bow_bounds(std::span<double> stiffness, std::span<double> damping) const;
+
+  /// All that decides the future. Collective.
+  void archive(parallel::Archive& archive);
 
   /// Adds the supports' dashpot constant at each owned node, N s/m. [owned nodes]
   void add_support_damping(std::span<double> damping) const;
@@ -73,6 +86,7 @@ class Loads {
   };
   std::vector<Pulse> pulses_;
   std::vector<Wind> winds_;
+  std::vector<BowLoad> bows_;
   std::vector<Spring> springs_;
 };
 

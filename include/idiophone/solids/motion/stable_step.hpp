@@ -11,7 +11,7 @@
 
 namespace idiophone::motion {
 
-/// The supports' springs and dashpots, and those that bound the joints. [local nodes]
+/// The supports' springs and dashpots, and those that bound bows and joints. [local nodes]
 [[nodiscard]] Supports supports_of(const mesh::Part& part, const Dynamics& dynamics);
 
 /// What limits each body's step: BodyModel::stable_step with its supports and joints. Runs on one rank, so that its

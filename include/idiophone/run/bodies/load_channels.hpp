@@ -1,5 +1,5 @@
 #pragma once
-// The total force of each wind, at the motion rate.
+// The total forces of winds and bows, at the motion rate.
 
 #include <mpi.h>
 
@@ -12,10 +12,10 @@
 
 namespace idiophone::bodies {
 
-class WindChannels : public MotionRateChannels {
+class LoadChannels : public MotionRateChannels {
  public:
   /// @param motion  must outlive this object
-  WindChannels(const scene::Scene& scene, const motion::Motion& motion, MPI_Comm communicator);
+  LoadChannels(const scene::Scene& scene, const motion::Motion& motion, MPI_Comm communicator);
 
   [[nodiscard]] std::vector<std::vector<double>> collect() override;
 
@@ -23,7 +23,7 @@ class WindChannels : public MotionRateChannels {
   void note_row() override;
   const motion::Motion& motion_;
   MPI_Comm communicator_;
-  std::vector<std::int64_t> words_;  ///< [rows][winds][components] of reproducible sums
+  std::vector<std::int64_t> words_;  ///< [rows][winds, then bows][components] of reproducible sums
 };
 
 }  // namespace idiophone::bodies
