@@ -44,6 +44,9 @@ class Identification:
     not_measured: list[Facts]          #: `mode`, `modes` and `frequency` of modes between the lines that have no line
     further_lines: list[Facts]         #: that would determine the other constants: `constant`, `mode`, `modes`, `frequency`,
                                        #: `half_width` that would be left, and where to strike or listen: `at` (m), `along`
+    further_sizes: list[Facts]         #: specimens that would tell constants which no further line does: `constant`, `factor` of
+                                       #: the side `along`, `size` (m), how many `lines`, `up_to` (Hz), `half_width`, and
+                                       #: whether the constant would be `determined`
     fitted_rms: float | None           #: cents; None if no line was fitted
     predicted_rms: float | None        #: cents; None if no line was predicted
     density: float                     #: kg/m3

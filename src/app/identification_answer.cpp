@@ -16,6 +16,7 @@ namespace {
 
 using fitting::AssignedLine;
 using fitting::FurtherLine;
+using fitting::FurtherSize;
 using fitting::Identification;
 using fitting::IdentifiedConstant;
 
@@ -77,12 +78,28 @@ void print_further_lines(const Identification& found) {
   }
 }
 
+void print_further_sizes(const Identification& found) {
+  if (found.sizes.empty()) {
+    return;
+  }
+  fmt::print(
+      "\nother specimens, each with the interval of the constant that its lowest lines would leave by themselves:\n"
+      "{:<12}  {:>5}  {:>13}  {:>12}  {}\n",
+      "constant", "lines", "up to/Hz", "+- (95 %)", "size/m");
+  for (const FurtherSize& size : found.sizes) {
+    fmt::print("{:<12}  {:>5}  {:>13.3f}  {:>12.3g}  {:.4g}: {:g} times as long along [{:.2f}]\n", size.constant,
+               size.lines, size.highest, size.half_width, fmt::join(size.extents, " x "), size.factor,
+               fmt::join(size.along, ", "));
+  }
+}
+
 }  // namespace
 
 void print(const Identification& found) {
   print_constants(found);
   print_lines(found);
   print_further_lines(found);
+  print_further_sizes(found);
   fmt::print("\n{}", materials_section(found.material));
 }
 
@@ -97,6 +114,7 @@ nlohmann::json identification_facts(const Identification& found) {
                            {"lines", nlohmann::json::array()},
                            {"not_measured", nlohmann::json::array()},
                            {"further_lines", nlohmann::json::array()},
+                           {"further_sizes", nlohmann::json::array()},
                            {"fitted_rms", loop::number_or_null(found.fitted_rms.value_or(NAN))},
                            {"predicted_rms", loop::number_or_null(found.tested_rms.value_or(NAN))},
                            {"materials", materials_section(found.material)}};
@@ -129,6 +147,16 @@ nlohmann::json identification_facts(const Identification& found) {
                                        {"half_width", line.half_width},
                                        {"at", coordinates(line.place)},
                                        {"along", coordinates(line.direction)}});
+  }
+  for (const FurtherSize& size : found.sizes) {
+    answer["further_sizes"].push_back({{"constant", size.constant},
+                                       {"factor", size.factor},
+                                       {"along", coordinates(size.along)},
+                                       {"size", coordinates(size.extents)},
+                                       {"lines", size.lines},
+                                       {"up_to", size.highest},
+                                       {"half_width", size.half_width},
+                                       {"determined", size.is_determined}});
   }
   for (const auto& [first, count, frequency] : found.missing) {
     answer["not_measured"].push_back({{"mode", first}, {"modes", count}, {"frequency", frequency}});

@@ -57,8 +57,8 @@ using fitting::AssignedLine;
 using fitting::Identification;
 using fitting::IdentifiedConstant;
 
-/// What to measure for a constant that the lines do not determine.
-std::string advice(const Identification& found, const IdentifiedConstant& constant) {
+/// What the lines of this specimen can tell of a constant that those that were measured do not determine.
+std::string advice_on_lines(const Identification& found, const IdentifiedConstant& constant) {
   if (found.looked_up_to == 0) {
     return "Measure more lines, or lines of other modes";
   }
@@ -68,9 +68,21 @@ std::string advice(const Identification& found, const IdentifiedConstant& consta
   if (std::ranges::find(found.further, constant.name, &fitting::FurtherLine::constant) != found.further.end()) {
     return "The further lines that are named for it tell more of it, but not enough: measure several";
   }
-  return fmt::format(
-      "No single line up to {:.0f} Hz would tell much more of it: measure several, or a body of another shape",
-      found.looked_up_to);
+  return fmt::format("No single line up to {:.0f} Hz would tell much more of it: measure several", found.looked_up_to);
+}
+
+/// What to measure for a constant that the lines do not determine.
+std::string advice(const Identification& found, const IdentifiedConstant& constant) {
+  const std::string of_lines = advice_on_lines(found, constant);
+  if (found.looked_up_to == 0 || constant.would_be_determined) {
+    return of_lines;
+  }
+  const auto size = std::ranges::find(found.sizes, constant.name, &fitting::FurtherSize::constant);
+  if (size == found.sizes.end()) {
+    return of_lines + ", or a body of another shape";
+  }
+  return of_lines + (size->is_determined ? ", or the other specimen that is named, which would determine it"
+                                         : ", or the other specimen that is named, which tells more of it");
 }
 
 void warn_of_gaps(const Identification& found) {

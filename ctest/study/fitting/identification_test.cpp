@@ -19,6 +19,8 @@ namespace {
 using ::testing::Each;
 using ::testing::Field;
 
+constexpr int solves_for_sizes = 12 + 9;  // all, and the best one of each constant again
+
 const Vector3 block_sides{0.06, 0.025, 0.02};
 
 scene::Scene block_of(const scene::Material& material) {
@@ -96,7 +98,7 @@ TEST(Identify, ABarOfWoodWithTwoFalseLines) {
   EXPECT_EQ(std::ranges::count(found.lines, 0, &AssignedLine::modes), 2);
   ASSERT_EQ(found.doubts.size(), 1U);
   EXPECT_THAT(found.doubts[0], ::testing::HasSubstr("2 of 17 lines are no mode of the body within 50 cents"));
-  EXPECT_LE(found.solves, 12);
+  EXPECT_LE(found.solves, 12 + solves_for_sizes);
 }
 
 TEST(Identify, SaysThatLinesAreFartherAwayThanTheyCanBe) {
@@ -248,7 +250,7 @@ TEST(Identify, OrthotropicConstants) {
     }
   }
   EXPECT_GE(std::ranges::count(found.constants, true, &IdentifiedConstant::determined), 6);
-  EXPECT_LE(found.solves, 10);
+  EXPECT_LE(found.solves, 10 + solves_for_sizes);
 }
 
 /// A crystal in the orientation of the block.

@@ -35,6 +35,13 @@ OrientedBox smaller_box(const Mesh& mesh) {
   return coordinate.extents.prod() <= principal.extents.prod() ? coordinate : principal;
 }
 
+/// The direction of an axis whose largest component is above 0.
+Vector3 upward(const Vector3& axis) {
+  Eigen::Index largest = 0;
+  axis.cwiseAbs().maxCoeff(&largest);
+  return axis[largest] < 0 ? Vector3(-axis) : axis;
+}
+
 /// Mean lengths along the axes of a box, of the edges that run mainly along each, m.
 Vector3 mean_edges(const Mesh& mesh, const OrientedBox& box) {
   Vector3 sums = Vector3::Zero();
@@ -84,6 +91,7 @@ Statistics statistics(const Mesh& mesh) {
   std::ranges::sort(order, std::greater{}, [&](int axis) { return box.extents[axis]; });
   for (int k = 0; k < 3; ++k) {
     result.extents[k] = box.extents[order[k]];
+    result.axes.col(k) = upward(box.axes.col(order[k]));
     result.cells[k] = edges[order[k]];
   }
   for (const auto& [a, b, c] : mesh.outer_surface()) {

@@ -25,6 +25,15 @@ double student_t(double freedom) {
               (((3 * z2 + 19) * z2 + 17) * z2 - 15) / (384 * freedom * freedom * freedom));
 }
 
+Evidence imagined_lines(const FrequencyModel& model, const ElasticConstants& constants, const scene::Material& material,
+                        double uncertainty, const std::vector<double>& mesh_errors) {
+  const auto lines = static_cast<Eigen::Index>(mesh_errors.size());
+  const Eigen::Map<const Eigen::ArrayXd> errors(mesh_errors.data(), lines);
+  const Eigen::ArrayXd uncertainties = (uncertainty * uncertainty + errors.square()).sqrt();
+  const Eigen::MatrixXd slopes = -model.cents_slopes(constants, material);
+  return {Eigen::VectorXd::Zero(lines), slopes.array().colwise() / uncertainties, errors / uncertainties};
+}
+
 ResidualSpread residual_spread(const Evidence& evidence, const Expectation& expected) {
   const Eigen::MatrixXd of_lines = evidence.slopes.transpose() * evidence.slopes;
   const Eigen::MatrixXd of_expectation = expected.deviation.cwiseAbs2().cwiseInverse().asDiagonal();

@@ -2,10 +2,13 @@
 // How well lines determine the constants of a material.
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "matched_fit.hpp"
 
 namespace idiophone::fitting {
+
+inline constexpr double undetermined = 0.1;  ///< a 95 % half-width of ln of a modulus, or of a ratio, above this
 
 /// Chi-squared over its degrees of freedom that 95 % are below; Abramowitz and Stegun, 26.4.17. Within 4 % from 1
 /// degree of freedom on.
@@ -20,6 +23,13 @@ struct Evidence {
   Eigen::MatrixXd slopes;       ///< their derivatives by the unknowns of all constants, [lines x constants]
   Eigen::VectorXd mesh_errors;  ///< of the lines' modes, over the lines' uncertainties; [lines]
 };
+
+/// What a line of each multiplet of a model would say, if all were measured where they are computed.
+/// @param uncertainty  of a line, cents; the error of the mesh is added to it
+/// @param mesh_errors  [multiplets] cents
+[[nodiscard]] Evidence imagined_lines(const FrequencyModel& model, const ElasticConstants& constants,
+                                      const scene::Material& material, double uncertainty,
+                                      const std::vector<double>& mesh_errors);
 
 /// How far the residuals of a fit spread the constants.
 struct ResidualSpread {

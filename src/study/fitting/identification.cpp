@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "assignment.hpp"
 #include "fit_damping.hpp"
@@ -117,7 +118,11 @@ void add_doubts(const std::vector<AssignedLine>& lines, double tolerance, std::v
 
 Identification identify(const scene::Solids& solids, const Measurements& measured,
                         const IdentificationOptions& options) {
-  MaterialFit fit(solids, measured, options);
+  return identify(StrainedBody(solids, options.mass), measured, options);
+}
+
+Identification identify(StrainedBody body, const Measurements& measured, const IdentificationOptions& options) {
+  MaterialFit fit(std::move(body), measured, options);
   Identification result;
   fit.run(result);
   add_lines(measured.lines, fit, options.tolerance, result);

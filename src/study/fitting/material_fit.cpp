@@ -29,11 +29,10 @@ double distance(const ElasticConstants& constants, const scene::Material& a, con
 
 }  // namespace
 
-MaterialFit::MaterialFit(const scene::Solids& solids, const Measurements& measured,
-                         const IdentificationOptions& options)
+MaterialFit::MaterialFit(StrainedBody body, const Measurements& measured, const IdentificationOptions& options)
     : options_(options),
-      body_(solids, options.mass),
-      start_(solids.materials[solids.bodies.front().material]),
+      body_(std::move(body)),
+      start_(body_.material()),
       measured_(measured.lines),
       lines_(measured.lines),
       highest_(measured.lines.back().frequency) {

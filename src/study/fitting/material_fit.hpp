@@ -16,14 +16,13 @@
 
 namespace idiophone::fitting {
 
-inline constexpr double roughly = 3e-3;      // change of an unknown, before the constants are chosen
-inline constexpr double undetermined = 0.1;  // a 95 % half-width of ln of a modulus, or of a ratio, above this
+inline constexpr double roughly = 3e-3;  // change of an unknown, before the constants are chosen
 
 /// A fit in progress.
 class MaterialFit {
  public:
-  /// @param solids  one body
-  MaterialFit(const scene::Solids& solids, const Measurements& measured, const IdentificationOptions& options);
+  /// @param body  of the material to begin with
+  MaterialFit(StrainedBody body, const Measurements& measured, const IdentificationOptions& options);
 
   /// Fits, from few constants to all that the lines determine.
   void run(Identification& result);
@@ -44,8 +43,7 @@ class MaterialFit {
   struct FurtherModes {
     std::vector<Multiplet> multiplets;
     Eigen::VectorXd frequencies;    ///< [multiplets] Hz
-    Eigen::MatrixXd slopes;         ///< of their cents over a line's uncertainty, [multiplets x constants]
-    Eigen::VectorXd mesh_errors;    ///< over the line's uncertainty, [multiplets]
+    Evidence lines;                 ///< that they would be
     std::vector<bool> is_measured;  ///< [multiplets]
   };
 
@@ -68,6 +66,7 @@ class MaterialFit {
   [[nodiscard]] Evidence evidence() const;
   [[nodiscard]] Eigen::VectorXd held_constants() const;
   [[nodiscard]] FurtherModes further_modes();
+  [[nodiscard]] double usual_uncertainty() const;
   [[nodiscard]] std::pair<Eigen::Index, double> narrowest(const FurtherModes& modes, const Evidence& known,
                                                           const ResidualSpread& residuals,
                                                           const Eigen::RowVectorXd& combination) const;
@@ -96,5 +95,9 @@ class MaterialFit {
   Eigen::VectorXd widths_;           ///< [constants] of the 95 % intervals of the values
   int solves_ = 0;
 };
+
+/// As identify() of a scene, of a body that has its mesh.
+[[nodiscard]] Identification identify(StrainedBody body, const Measurements& measured,
+                                      const IdentificationOptions& options);
 
 }  // namespace idiophone::fitting

@@ -2,24 +2,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <utility>
 
+#include "further_sizes.hpp"
 #include "material_fit.hpp"
 
 namespace idiophone::fitting {
 
 namespace {
 
-/// What the lines say, and one more where its mode is.
-/// @param slopes, mesh_error  as Evidence has them
-Evidence with_line(const Evidence& evidence, const Eigen::RowVectorXd& slopes, double mesh_error) {
+/// What the lines say, and one more.
+Evidence with_line(const Evidence& evidence, const Evidence& others, Eigen::Index line) {
   const Eigen::Index lines = evidence.slopes.rows();
   Evidence more = evidence;
   more.residuals.conservativeResizeLike(Eigen::VectorXd::Zero(lines + 1));
   more.mesh_errors.conservativeResizeLike(Eigen::VectorXd::Zero(lines + 1));
   more.slopes.conservativeResize(lines + 1, Eigen::NoChange);
-  more.slopes.row(lines) = slopes;
-  more.mesh_errors[lines] = mesh_error;
+  more.slopes.row(lines) = others.slopes.row(line);
+  more.mesh_errors[lines] = others.mesh_errors[line];
   return more;
 }
 
@@ -58,12 +60,20 @@ void MaterialFit::look_further(Identification& result) {
       }
       width = narrowed;
       modes.is_measured[static_cast<std::size_t>(mode)] = true;
-      known = with_line(known, modes.slopes.row(mode), modes.mesh_errors[mode]);
+      known = with_line(known, modes.lines, mode);
       result.further.push_back(
           further_line(modes, mode, k, half_widths(known, residuals, expected_, of_values.row(k))[0]));
     }
     is_promised_[static_cast<std::size_t>(k)] = width <= undetermined;
   }
+  constexpr int least_lines = 10, most_lines_of_a_size = 20;
+  Eigen::VectorXd left = half_widths(known, residuals, expected_, Eigen::MatrixXd::Identity(held.size(), held.size()));
+  for (Eigen::Index k = 0; k < held.size(); ++k) {
+    left[k] = is_promised_[static_cast<std::size_t>(k)] ? 0.0 : held[k] * left[k];
+  }
+  result.sizes = further_sizes({body_, material_, constants_, expected_, residuals, usual_uncertainty(),
+                                std::clamp(static_cast<int>(measured_.size()), least_lines, most_lines_of_a_size)},
+                               left, [this] { note_solve(); });
 }
 
 /// 1 for each constant that may change and is not determined, else 0. [constants]
@@ -77,6 +87,13 @@ Eigen::VectorXd MaterialFit::held_constants() const {
   return held;
 }
 
+/// The median of the measured lines', cents.
+double MaterialFit::usual_uncertainty() const {
+  std::vector<double> uncertainties;
+  std::ranges::transform(measured_, std::back_inserter(uncertainties), &Line::uncertainty);
+  return median(std::move(uncertainties));
+}
+
 /// Those of the present model and half as many more, at least 10. Their lines would be as uncertain as the measured
 /// ones, but for the mesh.
 MaterialFit::FurtherModes MaterialFit::further_modes() {
@@ -86,20 +103,14 @@ MaterialFit::FurtherModes MaterialFit::further_modes() {
   const FrequencyModel model = body_.lowest(material_, modes + std::max(least, modes / 2));
   note_solve();
   std::vector<bool> is_measured(model.multiplets().size());
-  std::vector<double> uncertainties;
   for (const auto& [line, multiplet] : assign(measured_, *model_, material_, options_.tolerance).pairs) {
-    uncertainties.push_back(measured_[line].uncertainty);
     const auto same = std::ranges::find(model.multiplets(), model_->multiplets()[multiplet].first, &Multiplet::first);
     if (same != model.multiplets().end()) {
       is_measured[static_cast<std::size_t>(same - model.multiplets().begin())] = true;
     }
   }
-  const std::vector<double> estimates = body_.mesh_errors(model);
-  const Eigen::Map<const Eigen::ArrayXd> errors(estimates.data(), static_cast<Eigen::Index>(estimates.size()));
-  const Eigen::ArrayXd uncertainty = (std::pow(median(uncertainties), 2) + errors.square()).sqrt();
   return {model.multiplets(), model.frequencies(material_),
-          uncertainty.inverse().matrix().asDiagonal() * model.cents_slopes(constants_, material_), errors / uncertainty,
-          is_measured};
+          imagined_lines(model, constants_, material_, usual_uncertainty(), body_.mesh_errors(model)), is_measured};
 }
 
 /// The mode whose line leaves the smallest interval of a combination of the unknowns, and its half-width; infinite if
@@ -108,9 +119,9 @@ std::pair<Eigen::Index, double> MaterialFit::narrowest(const FurtherModes& modes
                                                        const ResidualSpread& residuals,
                                                        const Eigen::RowVectorXd& combination) const {
   std::pair<Eigen::Index, double> best{0, std::numeric_limits<double>::infinity()};
-  for (Eigen::Index m = 0; m < modes.slopes.rows(); ++m) {
+  for (Eigen::Index m = 0; m < modes.frequencies.size(); ++m) {
     if (!modes.is_measured[static_cast<std::size_t>(m)]) {
-      const Evidence more = with_line(known, modes.slopes.row(m), modes.mesh_errors[m]);
+      const Evidence more = with_line(known, modes.lines, m);
       const double width = half_widths(more, residuals, expected_, combination)[0];
       best = width < best.second ? std::pair{m, width} : best;
     }

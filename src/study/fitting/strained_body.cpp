@@ -42,22 +42,42 @@ const scene::Body& of_one_material(const scene::Body& body) {
 }  // namespace
 
 StrainedBody::StrainedBody(const scene::Solids& solids, eigenmodes::MassMatrix mass)
-    : body_(of_one_material(solids.bodies.front())),
-      material_(solids.materials[body_.material]),
-      max_frequency_(solids.max_frequency),
-      mass_(mass) {
+    : StrainedBody(of_one_material(solids.bodies.front()), solids.materials[solids.bodies.front().material],
+                   solids.max_frequency, mass, mesh::read_mesh(solids.bodies.front())) {}
+
+StrainedBody::StrainedBody(scene::Body body, scene::Material material, double max_frequency,
+                           eigenmodes::MassMatrix mass, mesh::Mesh mesh)
+    : body_(std::move(body)),
+      material_(std::move(material)),
+      max_frequency_(max_frequency),
+      mass_(mass),
+      statistics_(mesh::statistics(mesh)) {
   body_.material = 0;
-  std::vector<mesh::Mesh> meshes = {mesh::read_mesh(body_)};
-  statistics_ = mesh::statistics(meshes.front());
+  std::vector<mesh::Mesh> meshes = {std::move(mesh)};
   attachments_ = motion::attach(alone(), meshes);
   part_ = mesh::distribute(meshes, MPI_COMM_SELF);
   mesh_ = std::move(meshes.front());
 }
 
+StrainedBody StrainedBody::stretched(int side, double factor) const {
+  const Vector3 axis = direction(side);
+  const Eigen::Matrix3d stretch = Eigen::Matrix3d::Identity() + (factor - 1) * axis * axis.transpose();
+  scene::Body body = body_;
+  for (scene::Support& support : body.supports) {
+    support.place.at = stretch * support.place.at;
+  }
+  mesh::Mesh mesh = mesh_;
+  for (Vector3& node : mesh.nodes) {
+    node = stretch * node;
+  }
+  mesh.hash.clear();  // it is another mesh
+  return {std::move(body), material_, max_frequency_, mass_, std::move(mesh)};
+}
+
 std::optional<StrainedBody> StrainedBody::coarser() const {
   constexpr int least = 5;
   const auto [plane, thickness] = element::orders(body_.element);
-  if (!element::has_choice_of_orders(body_.element) || std::min(plane, thickness) < least) {
+  if (is_reduced_ || !element::has_choice_of_orders(body_.element) || std::min(plane, thickness) < least) {
     return {};
   }
   scene::Body body = body_;
@@ -65,6 +85,13 @@ std::optional<StrainedBody> StrainedBody::coarser() const {
   scene::Solids solids = alone();
   solids.bodies = {&body, 1};
   return std::optional<StrainedBody>(std::in_place, solids, mass_);
+}
+
+StrainedBody StrainedBody::reduced(int modes) const {
+  StrainedBody result = *this;
+  static_cast<void>(result.lowest(material_, modes));
+  result.is_reduced_ = true;
+  return result;
 }
 
 scene::Solids StrainedBody::alone() const {
@@ -80,6 +107,9 @@ solid::StiffnessMatrix StrainedBody::stiffness() const {
 }
 
 FrequencyModel StrainedBody::solve(const scene::Material& material, const eigenmodes::Options& options) {
+  if (is_reduced_) {
+    return nearby(material);
+  }
   material_ = material;
   stiffness_ = stiffness();
   std::vector<eigenmodes::Mode> found =
@@ -137,6 +167,9 @@ StrainedBody::Antinode StrainedBody::antinode(const Multiplet& multiplet) const 
 }
 
 std::vector<double> StrainedBody::mesh_errors(const FrequencyModel& model) const {
+  if (is_reduced_) {
+    return std::vector<double>(model.multiplets().size());
+  }
   const Eigen::MatrixXd fields = shapes_ * factors_;
   std::vector<std::vector<double>> shapes;
   for (const auto& field : fields.colwise()) {

@@ -25,7 +25,22 @@ class StrainedBody {
   /// @throws as the constructor
   [[nodiscard]] std::optional<StrainedBody> coarser() const;
 
-  [[nodiscard]] double volume() const { return statistics_.volume; }  ///< m3
+  /// The same body with one side longer or shorter, and its mesh stretched with it. What holds it goes along. The grain
+  /// keeps its direction.
+  /// @param side  0 for the longest, to 2 for the shortest: mesh::Statistics::axes
+  /// @throws deck::DeckError where a support is no longer on the surface
+  [[nodiscard]] StrainedBody stretched(int side, double factor) const;
+
+  /// The same body, which can only move as combinations of its lowest modes with its present material: with every other
+  /// material its modes are found among these at once, and the mesh has no error. For synthetic bodies in great
+  /// numbers.
+  /// @throws what eigenmodes::find_modes() throws
+  [[nodiscard]] StrainedBody reduced(int modes) const;
+
+  [[nodiscard]] const scene::Material& material() const { return material_; }   ///< of the last model, or of the scene
+  [[nodiscard]] double volume() const { return statistics_.volume; }            ///< m3
+  [[nodiscard]] const Vector3& extents() const { return statistics_.extents; }  ///< mesh::Statistics::extents
+  [[nodiscard]] Vector3 direction(int side) const { return statistics_.axes.col(side); }
 
   /// All modes up to a frequency (Hz) with a material, as a model for similar materials.
   /// @throws what eigenmodes::find_modes() throws
@@ -54,6 +69,9 @@ class StrainedBody {
   [[nodiscard]] std::vector<double> mesh_errors(const FrequencyModel& model) const;
 
  private:
+  StrainedBody(scene::Body body, scene::Material material, double max_frequency, eigenmodes::MassMatrix mass,
+               mesh::Mesh mesh);
+
   /// The body by itself, of the present material.
   [[nodiscard]] scene::Solids alone() const;
   [[nodiscard]] FrequencyModel solve(const scene::Material& material, const eigenmodes::Options& options);
@@ -71,6 +89,7 @@ class StrainedBody {
   Eigen::VectorXd squares_;           ///< their w^2, (rad/s)^2
   solid::StiffnessMatrix stiffness_;  ///< of their material
   StrainProducts products_;           ///< of their shapes
+  bool is_reduced_ = false;           ///< to these modes
   Eigen::MatrixXd factors_;           ///< the shapes of the last model are shapes_ times these
 };
 

@@ -59,12 +59,26 @@ struct FurtherLine {
   Vector3 direction;        ///< of length 1, in which it moves there; of several modes, the one that moves most there
 };
 
+/// A specimen of another size, of the same material and held in the same way, that tells a constant which neither the
+/// lines nor further ones of this specimen determine.
+struct FurtherSize {
+  std::string constant;
+  double factor = 1.0;         ///< by which one of its sides is longer than this specimen's
+  Vector3 along;               ///< this side, of length 1
+  Vector3 extents;             ///< of that specimen, m: its sides, descending
+  int lines = 0;               ///< to measure, the lowest ones: as many as here, but 10 to 20
+  double highest = 0.0;        ///< of their frequencies, Hz
+  double half_width = 0.0;     ///< of the constant's 95 % interval, from these lines alone
+  bool is_determined = false;  ///< by them
+};
+
 struct Identification {
   scene::Material material;                   ///< as the deck has it, with what was found
   std::vector<IdentifiedConstant> constants;  ///< in the material's order
   std::vector<AssignedLine> lines;            ///< ascending
   std::vector<MissingModes> missing;          ///< ascending
   std::vector<FurtherLine> further;           ///< that would determine the constants that are not; by constant
+  std::vector<FurtherSize> sizes;             ///< for those that no further line determines; one for each at most
   double looked_up_to = 0.0;                  ///< Hz, the highest mode among which they were looked for; 0: none were
   std::optional<double> fitted_rms;           ///< root of the mean square of the fitted lines' cents
   std::optional<double> tested_rms;           ///< of the others'; none if there are none
@@ -80,9 +94,9 @@ struct Identification {
 /// common factor of all moduli and adds unknowns. A measured mass gives the density, decay times the damping. The 95 %
 /// intervals contain the lines' uncertainties, the errors of the mesh and those of constants that are held. A constant
 /// whose interval is wider than +-10 %, or of a Poisson's ratio +-0.1, keeps the deck's value if the lines fit as well
-/// with it, and further lines are named that would determine it. The fit is not accepted where a line is false, or
-/// where the root of the mean square of the fitted lines' cents over their uncertainties is above 3. On this rank
-/// alone.
+/// with it, and further lines are named that would determine it, or another size of the specimen. The fit is not
+/// accepted where a line is false, or where the root of the mean square of the fitted lines' cents over their
+/// uncertainties is above 3. On this rank alone.
 /// @param solids  one body (scene::Solids::alone)
 /// @throws std::runtime_error for an unknown constant, or if no line fits any mode; deck::DeckError for a wrong mesh;
 ///         what eigenmodes::find_modes() throws

@@ -1,0 +1,36 @@
+#pragma once
+// Which other size of a specimen would tell constants that its own lines do not.
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "confidence.hpp"
+#include "elastic_constants.hpp"
+#include "idiophone/study/fitting/identification.hpp"
+#include "strained_body.hpp"
+
+namespace idiophone::fitting {
+
+/// A specimen that was measured, and how its constants are known.
+struct Specimen {
+  const StrainedBody& body;
+  const scene::Material& material;
+  const ElasticConstants& constants;
+  const Expectation& expected;
+  ResidualSpread residuals;
+  double uncertainty = 0.0;  ///< of a line, cents; the errors of the mesh are added
+  int lines = 0;             ///< to measure, the lowest
+};
+
+/// Makes each of the three sides 4 and 2 times longer and shorter, and looks at the intervals that the lowest lines of
+/// these specimens would leave by themselves. For each constant, the size with the smallest interval counts if that is
+/// no more than half of the one that is known. The errors of the mesh are estimated only there, because that may take
+/// longer than the modes. A size at which the body can't be held or solved is passed over.
+/// @param widths  half-widths of the intervals of the unknowns that are known; 0 for those that are wanted no smaller
+/// @param watch   is called after each solution, and ends the search by an exception
+/// @return by size
+[[nodiscard]] std::vector<FurtherSize> further_sizes(const Specimen& specimen, const Eigen::VectorXd& widths,
+                                                     const std::function<void()>& watch);
+
+}  // namespace idiophone::fitting
