@@ -1,5 +1,5 @@
 #!/usr/bin/python3
-"""Bodies that a joint ties together: their sound, energies and modes, and what is refused."""
+"""Bodies that a joint ties together: their sound, energies, modes and sound map, and what is refused."""
 import json
 import unittest
 
@@ -9,6 +9,12 @@ import numpy
 import program
 
 DECK = program.deck("joined")
+FOAM = ("--set", "materials.foam={young: 1.0e7, poisson: 0.3, density: 300}", "--set", "bodies.right.material=foam")
+SCORE = """
+duration: 0.1
+events:
+  - {time: 0.01, type: force, body: left, at: [0.12, 0, 0.01], force: [0, 0, -10], shape: half_sine, duration: 5.0e-4}
+"""
 
 
 class Joints(program.TestCase):
@@ -42,10 +48,37 @@ class Joints(program.TestCase):
         for body in json.loads(job.stdout)["bodies"].values():
             self.assertNotIn("lowest_modes", body)
 
+    def test_one_map_has_the_modes_of_both_bodies_and_is_played(self):
+        job = program.idiophone("map", DECK, *FOAM, "--modes", 4, "--radiation", "kirchhoff", "--output-folder", self.output)
+        self.require_status(job, program.FINISHED)
+        self.assertIn("bodies left, right: joints tie them together", job.stdout + job.stderr)
+        path, = self.output.glob("*.map.h5")
+        self.assertEqual(path.name, "joined_left.map.h5")
+        self.require_status(program.idiophone("modes", DECK, *FOAM, "--modes", 4, "--output-folder", self.output),
+                            program.FINISHED)
+        with h5py.File(path) as made, h5py.File(self.output / "joined_modes.h5") as modes:
+            numpy.testing.assert_allclose(made["modes/frequency"], modes["modes/left/frequency"], rtol=1e-9)
+            numpy.testing.assert_allclose(made["modes/material_decay"],
+                                          numpy.log(1000) / numpy.array(modes["modes/left/decay_time"]), rtol=1e-9)
+            self.assertAlmostEqual(float(made.attrs["mass"]), 3.6e-5 * (1100 + 300), 9)
+            self.assertNotIn("material", made.attrs)
+            vertices, triangles = made["surface/vertices"][()], made["surface/triangles"][()]
+            x = vertices[triangles].mean(axis=1)[:, 0]
+            self.assertEqual(list(x[(x > 0.05999) & (x < 0.06051)]), [])  # no triangle of the two joined faces
+            self.assertGreater(vertices[:, 0].max(), 0.12)
+        score = self.output / "score.yaml"
+        score.write_text(SCORE)
+        self.require_status(program.idiophone("play", path, "--score", score, "--output", self.output / "blow.wav"),
+                            program.FINISHED)
+        self.assertGreater(abs(numpy.frombuffer((self.output / "blow.wav").read_bytes()[-20000:], dtype="<f4")).max(), 0)
+
     def test_what_knows_no_joints_refuses_them(self):
-        job = program.idiophone("map", DECK, "--modes", "2", "--output-folder", self.output)
+        job = program.idiophone("map", DECK, "--estimate", "--output-folder", self.output)
+        self.assertEqual(job.returncode, program.FAILED)
+        self.assertIn("--estimate is for bodies without joints", job.stderr)
+        job = program.idiophone("radiate", DECK, "--modes", "2", "--output-folder", self.output)
         self.assertEqual(job.returncode, program.WRONG_DECK)
-        self.assertIn("joined.yaml:21:3: joints.glue: 'map' does not know joints", job.stderr)
+        self.assertIn("joined.yaml:21:3: joints.glue: 'radiate' does not know joints", job.stderr)
         job = program.idiophone("modes", DECK, "--in-air", "--output-folder", self.output)
         self.assertEqual(job.returncode, program.FAILED)
         self.assertIn("--in-air is for a body without joints", job.stderr)

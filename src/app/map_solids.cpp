@@ -1,6 +1,10 @@
 #include "map_solids.hpp"
 
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <iterator>
 
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
@@ -11,6 +15,7 @@
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
 #include "idiophone/scene/find_body.hpp"
+#include "idiophone/scene/joined_bodies.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
 #include "make_map.hpp"
 #include "map_warnings.hpp"
@@ -20,11 +25,24 @@ namespace idiophone::app {
 
 namespace {
 
-/// The map of a body with its modes, on rank 0.
+/// Says which bodies have one map, if they are several.
+/// @param bodies  of the map, as scene::assemblies() gives them
+void say_joined(const scene::Scene& scene, const std::vector<std::size_t>& bodies) {
+  if (bodies.size() > 1) {
+    std::vector<std::string> names;
+    std::ranges::transform(bodies, std::back_inserter(names),
+                           [&](std::size_t body) { return scene.bodies[body].name; });
+    spdlog::info("bodies {}: joints tie them together, so they have one map, which is called {}",
+                 fmt::join(names, ", "), names.front());
+  }
+}
+
+/// The map of a body with its modes, and those of all bodies that joints tie to it, on rank 0.
 sound_maps::SoundMap solved_modes(const MapOptions& options, const scene::Scene& scene, std::size_t body) {
+  const auto estimates = scene::is_joined(body, scene.joints) ? eigenmodes::Estimates::none : options.estimates;
   sound_maps::SoundMap map = sound_maps::solid_map(
-      scene, body, {.count = options.count.value_or(1), .up_to = highest_frequency(options)}, options.estimates);
-  if (const auto left_out = eigenmodes::left_out(map.mesh_error, map.modes(), options.estimates); !left_out.empty()) {
+      scene, body, {.count = options.count.value_or(1), .up_to = highest_frequency(options)}, estimates);
+  if (const auto left_out = eigenmodes::left_out(map.mesh_error, map.modes(), estimates); !left_out.empty()) {
     spdlog::info("body {}: {}", map.body, left_out);
   }
   map.resolved_deck = scene::resolved_deck(options.deck, options.overrides);
@@ -73,6 +91,9 @@ void map_solids(const MapOptions& options, MapOutcome& outcome, MPI_Comm communi
   if (parallel::is_root(communicator)) {
     warn_of_what_maps_lack(scene);
   }
+  if (options.estimates == eigenmodes::Estimates::all && !scene.joints.empty()) {
+    throw std::runtime_error("--estimate is for bodies without joints: leave it out");
+  }
   if (options.in_air) {
     refuse_air_mass_of_large_amplitudes(scene);
   }
@@ -89,8 +110,12 @@ void map_solids(const MapOptions& options, MapOutcome& outcome, MPI_Comm communi
     make(body, [&] { return rescaled_modes(options, scene, body, source); });
     return;
   }
-  for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
-    make(body, [&] { return solved_modes(options, scene, body); });
+  for (const std::vector<std::size_t>& bodies : scene::assemblies(scene)) {
+    const std::size_t body = bodies.front();
+    make(body, [&] {
+      say_joined(scene, bodies);
+      return solved_modes(options, scene, body);
+    });
   }
 }
 

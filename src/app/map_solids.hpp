@@ -8,8 +8,8 @@
 
 namespace idiophone::app {
 
-/// Makes the maps of all bodies of the deck; with MapOptions::rescaled, of the one that the other map belongs to.
-/// Collective.
+/// Makes the maps of all bodies of the deck, one of those that joints tie together; with MapOptions::rescaled, of the
+/// one that the other map belongs to. Collective.
 void map_solids(const MapOptions& options, MapOutcome& outcome, MPI_Comm communicator);
 
 }  // namespace idiophone::app

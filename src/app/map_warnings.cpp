@@ -4,6 +4,7 @@
 
 #include "idiophone/instruments/sound_maps/air_mass.hpp"
 #include "idiophone/instruments/sound_maps/small_vibrations.hpp"
+#include "idiophone/scene/joined_bodies.hpp"
 #include "listener_warnings.hpp"
 
 namespace idiophone::app {
@@ -20,8 +21,9 @@ void warn_of_what_maps_lack(const scene::Scene& scene) {
           body.name, body.mass_scaling->shift);
     }
   }
-  if (scene.bodies.size() + scene.obstacles.size() > 1) {
-    spdlog::warn("each body is heard alone: other bodies and obstacles cast no shadow in its map");
+  if (scene::assemblies(scene).size() + scene.obstacles.size() > 1) {
+    spdlog::warn("{} is heard alone: other bodies and obstacles cast no shadow in its map",
+                 scene.joints.empty() ? "each body" : "each body, with those that joints tie to it,");
   }
   if (scene.radiation.room) {
     spdlog::warn("a map has no room: the walls of radiation.room are left out");

@@ -10,21 +10,33 @@
 
 namespace idiophone::scene {
 
-Scene assembly_of(Scene scene, std::size_t body) {
+std::vector<std::vector<std::size_t>> assemblies(const Scene& scene) {
   DisjointSets tied(scene.bodies.size());
   for (const Joint& joint : scene.joints) {
     tied.join(static_cast<Index>(joint.surfaces[0].body), static_cast<Index>(joint.surfaces[1].body));
   }
-  const auto is_part = [&](std::size_t other) {
-    return tied.root(static_cast<Index>(other)) == tied.root(static_cast<Index>(body));
-  };
-  std::map<std::size_t, std::size_t> places = {{body, 0}};  // of the parts, among the parts
-  std::vector<Body> bodies = {scene.bodies[body]};
-  for (std::size_t other = 0; other < scene.bodies.size(); ++other) {
-    if (other != body && is_part(other)) {
-      places.emplace(other, bodies.size());
-      bodies.push_back(scene.bodies[other]);
+  std::vector<std::vector<std::size_t>> found;
+  std::map<Index, std::size_t> places;  // of the sets' roots
+  for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
+    const auto [place, is_new] = places.try_emplace(tied.root(static_cast<Index>(body)), found.size());
+    if (is_new) {
+      found.emplace_back();
     }
+    found[place->second].push_back(body);
+  }
+  return found;
+}
+
+Scene assembly_of(Scene scene, std::size_t body) {
+  const auto all = assemblies(scene);
+  std::vector<std::size_t> parts =
+      *std::ranges::find_if(all, [&](const auto& set) { return std::ranges::binary_search(set, body); });
+  std::ranges::stable_partition(parts, [&](std::size_t part) { return part == body; });
+  std::map<std::size_t, std::size_t> places;  // of the parts, among the parts
+  std::vector<Body> bodies;
+  for (const std::size_t part : parts) {
+    places.emplace(part, bodies.size());
+    bodies.push_back(scene.bodies[part]);
   }
   scene.bodies = std::move(bodies);
   std::erase_if(scene.joints, [&](const Joint& joint) { return !places.contains(joint.surfaces[0].body); });

@@ -6,8 +6,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Cholesky>
+#include <Eigen/Geometry>
 
 #include "force_check.hpp"
+#include "idiophone/solids/joints/covered_triangles.hpp"
 #include "joined_blocks.hpp"
 #include "ranks.hpp"
 
@@ -48,6 +50,21 @@ Eigen::VectorXd wave(Eigen::Index size) {
   return Eigen::VectorXd::NullaryExpr(size, [](Eigen::Index c) { return std::sin(static_cast<double>(c * c)); });
 }
 
+/// Area of each block that the joint covers, m2.
+std::vector<double> covered_areas(const JoinedBlocks& blocks) {
+  const std::vector<char> covered = covered_triangles(blocks.scene, blocks.meshes);
+  std::vector<double> areas;
+  auto is_covered = covered.begin();
+  for (const mesh::Mesh& mesh : blocks.meshes) {
+    double& area = areas.emplace_back();
+    for (const auto& [a, b, c] : mesh.surface) {
+      const Vector3& corner = mesh.nodes[a];
+      area += *is_covered++ * (mesh.nodes[b] - corner).cross(mesh.nodes[c] - corner).norm() / 2;
+    }
+  }
+  return areas;
+}
+
 ON_RANKS(1);
 
 TEST(Joints, JoinWholeSurfacesThatShareNoNode) {
@@ -56,6 +73,19 @@ TEST(Joints, JoinWholeSurfacesThatShareNoNode) {
   for (const JointPoint& point : blocks.meshed[0].points) {
     EXPECT_NEAR(point.distance, JoinedBlocks::gap, 1e-15);
   }
+}
+
+TEST(Joints, CoverTheTrianglesThatFaceEachOther) {
+  JoinedBlocks blocks;
+  for (const double area : covered_areas(blocks)) {
+    EXPECT_NEAR(area, 0.03 * 0.02, 1e-15);
+  }
+  for (Vector3& node : blocks.meshes[1].nodes) {
+    node.y() += 0.015;  // one of its two cells faces the other block
+  }
+  const std::vector<double> areas = covered_areas(blocks);
+  EXPECT_NEAR(areas[0], 0.015 * 0.02, 1e-4);  // to the middle of a triangle
+  EXPECT_NEAR(areas[1], 0.015 * 0.02, 1e-15);
 }
 
 TEST(Joints, RigidMotionStretchesNothing) {

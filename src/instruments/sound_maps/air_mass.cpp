@@ -1,6 +1,9 @@
 #include "idiophone/instruments/sound_maps/air_mass.hpp"
 
 #include <algorithm>
+#include <stdexcept>
+
+#include "outer_surface.hpp"
 
 namespace idiophone::sound_maps {
 
@@ -18,6 +21,11 @@ harmonic::DryModes dry_modes(const SoundMap& map) {
 }
 
 std::size_t add_air_mass(SoundMap& map) {
+  if (!is_closed(map.triangles)) {
+    throw std::runtime_error(
+        "--in-air needs a closed surface, and that of joined bodies is open where their meshes do not meet vertex by "
+        "vertex: leave it out, or make the meshes match");
+  }
   const harmonic::DryModes dry = dry_modes(map);
   const auto wet = harmonic::wet_modes(dry, {.density = map.air_density, .speed = map.air_speed});
   for (std::size_t mode = 0; mode < wet.size(); ++mode) {

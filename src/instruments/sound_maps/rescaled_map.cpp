@@ -51,11 +51,13 @@ double stiffness_factor(const ScalableModes& now, const ScalableModes& before, c
   return factor;
 }
 
+/// @param number  of the body
 /// @return the body as it is now, with the old frequencies
 ScalableModes checked_modes(const SoundMap& source, const std::filesystem::path& path, const scene::Scene& scene,
-                            const scene::Body& body) {
-  scene::refuse_joints(scene, "map");
-  if (const std::string reason = why_not_scalable(body); !reason.empty()) {
+                            std::size_t number) {
+  const scene::Body& body = scene.bodies[number];
+  const std::string reason = scene::is_joined(number, scene.joints) ? "it has joints" : why_not_scalable(body);
+  if (!reason.empty()) {
     throw deck::DeckError(body.where, fmt::format("bodies.{}: its modes can't be rescaled: {}; make the map without "
                                                   "--rescale",
                                                   body.name, reason));
@@ -124,11 +126,11 @@ SoundMap rescaled_map(const SoundMap& source, const std::filesystem::path& path,
                       std::size_t body, const std::string& resolved_deck) {
   const scene::Body& here = scene.bodies[body];
   const scene::Material& material = scene.materials[here.material];
-  const ScalableModes now = checked_modes(source, path, scene, here);
+  const ScalableModes now = checked_modes(source, path, scene, body);
   const Factors factors{.stiffness = stiffness_factor(now, *source.scalable, material, path),
                         .density = material.density / source.material->density};
   SoundMap map = source;
-  add_facts(map, scene, here);
+  add_facts(map, scene, std::span(&here, 1));
   map.resolved_deck = resolved_deck;
   map.mass *= factors.density;
   map.scalable->stiffness = now.stiffness;

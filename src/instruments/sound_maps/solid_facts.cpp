@@ -30,16 +30,23 @@ std::string held_groups(const scene::Body& body) {
   return groups.empty() ? "nothing" : fmt::format("{}", fmt::join(groups, ", "));
 }
 
+/// Whether all of the bodies consist of one material.
+bool has_one_material(std::span<const scene::Body> bodies) {
+  return std::ranges::all_of(bodies, [&](const scene::Body& body) {
+    return body.regions.empty() && body.material == bodies.front().material;
+  });
+}
+
 }  // namespace
 
-void add_facts(SoundMap& map, const scene::Scene& scene, const scene::Body& body) {
-  const scene::Material& material = scene.materials[body.material];
+void add_facts(SoundMap& map, const scene::Scene& scene, std::span<const scene::Body> bodies) {
+  const scene::Material& material = scene.materials[bodies.front().material];
   map.name = scene.name;
-  map.body = body.name;
+  map.body = bodies.front().name;
   map.kind = "solid";
   map.deck_text = scene.deck_text;
   map.overrides = scene.overrides;
-  if (body.regions.empty()) {
+  if (has_one_material(bodies)) {
     map.material = {.name = material.name,
                     .density = material.density,
                     .young = material.young,

@@ -1,6 +1,7 @@
 #pragma once
 // What a deck and a mesh say about the map of a solid, before its modes are known.
 
+#include <span>
 #include <string>
 
 #include "idiophone/instruments/sound_maps/sound_map.hpp"
@@ -10,7 +11,8 @@
 namespace idiophone::sound_maps {
 
 /// Names, deck, material and air.
-void add_facts(SoundMap& map, const scene::Scene& scene, const scene::Body& body);
+/// @param bodies  one, or those that joints tie together; the first one gives its name
+void add_facts(SoundMap& map, const scene::Scene& scene, std::span<const scene::Body> bodies);
 
 /// What keeps the modes of a body from being those of another density or stiffness times a factor: "it has supports";
 /// empty if nothing does.

@@ -4,24 +4,28 @@
 #include <numbers>
 #include <utility>
 
+#include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/scene/joined_bodies.hpp"
 #include "idiophone/solids/eigenmodes/compute_modal_basis.hpp"
+#include "idiophone/solids/joints/covered_triangles.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/motion/initial_state.hpp"
+#include "outer_surface.hpp"
 #include "solid_facts.hpp"
 
 namespace idiophone::sound_maps {
 
 namespace {
 
-void add_modes(sound_maps::SoundMap& map, const std::vector<eigenmodes::Mode>& modes, const mesh::Part& part) {
+/// @param nodes  of the map's vertices
+void add_modes(SoundMap& map, const std::vector<eigenmodes::Mode>& modes, const std::vector<Index>& nodes) {
   for (const eigenmodes::Mode& mode : modes) {
     map.frequency.push_back(mode.frequency);
     map.material_decay.push_back(mode.damping_ratio * 2.0 * std::numbers::pi * mode.frequency);
     if (map.scalable) {
       map.scalable->lossless_frequency.push_back(mode.lossless_frequency);
     }
-    for (const Index node : part.vertices) {
+    for (const Index node : nodes) {
       for (int axis = 0; axis < 3; ++axis) {
         map.shape.push_back(static_cast<float>(mode.shape[3 * node + axis]));
       }
@@ -29,40 +33,60 @@ void add_modes(sound_maps::SoundMap& map, const std::vector<eigenmodes::Mode>& m
   }
 }
 
-}  // namespace
+/// Mass and centre of all bodies together.
+void add_mass_properties(SoundMap& map, const motion::InitialState& properties) {
+  const Vector3& origin = properties.centres.front();
+  Vector3 moment = Vector3::Zero();
+  for (std::size_t b = 0; b < properties.masses.size(); ++b) {
+    map.mass += properties.masses[b];
+    moment += properties.masses[b] * (properties.centres[b] - origin);
+  }
+  map.centre = origin + moment / map.mass;
+}
 
-sound_maps::SoundMap solid_map(const scene::Scene& scene, std::size_t body, const eigenmodes::Options& options,
-                               eigenmodes::Estimates estimates) {
-  scene::refuse_joints(scene, "map");
-  const scene::Solids alone = scene::Solids(scene).alone(body);
-  const std::vector<mesh::Mesh> meshes = {mesh::read_mesh(alone.bodies.front())};
-  const motion::Attachments attachments = motion::attach(alone, meshes);
-  const mesh::Part part = mesh::distribute(meshes, MPI_COMM_SELF);
-  const motion::InitialState properties =
-      motion::mass_properties(motion::FiniteElementDynamics(alone, part, attachments), part);
-  sound_maps::SoundMap map;
-  add_facts(map, scene, scene.bodies[body]);
-  if (why_not_scalable(scene.bodies[body]).empty()) {
-    map.scalable = scalable_modes(scene, scene.bodies[body], meshes.front());
-  }
-  map.mass = properties.masses.front();
-  map.centre = properties.centres.front();
-  map.triangles = part.surface;
-  for (const Index node : part.vertices) {
-    map.vertices.push_back(part.reference[node]);
-  }
-  eigenmodes::Modes found = eigenmodes::find_modes(alone, part, attachments, options, MPI_COMM_SELF);
-  std::vector<eigenmodes::Mode>& modes = found.modes;
-  std::ranges::stable_sort(modes, {}, &eigenmodes::Mode::frequency);  // a loss factor shifts each a little
-  add_modes(map, modes, part);
-  if (const auto& model = scene.bodies[body].modal; model && model->stretching_tolerance) {
-    map.stretching = eigenmodes::stretching_of(found, alone, part, attachments, *model->stretching_tolerance);
-  }
+std::vector<std::vector<double>> shapes_of(std::vector<eigenmodes::Mode> modes) {
   std::vector<std::vector<double>> shapes;
   for (eigenmodes::Mode& mode : modes) {
     shapes.push_back(std::move(mode.shape));
   }
-  map.mesh_error = eigenmodes::mesh_errors(alone, meshes.front(), options.mass, shapes, estimates);
+  return shapes;
+}
+
+}  // namespace
+
+SoundMap solid_map(const scene::Scene& scene, std::size_t body, const eigenmodes::Options& options,
+                   eigenmodes::Estimates estimates) {
+  const scene::Scene assembly = scene::assembly_of(scene, body);
+  const scene::Solids solids(assembly);
+  const scene::Body& first = solids.bodies.front();
+  const bool is_alone = solids.joints.empty();
+  const std::vector<mesh::Mesh> meshes = mesh::read_meshes(solids.bodies);
+  const motion::Attachments attachments = motion::attach(solids, meshes);
+  const mesh::Part part = mesh::distribute(meshes, MPI_COMM_SELF);
+  SoundMap map;
+  add_facts(map, scene, solids.bodies);
+  if (is_alone && why_not_scalable(first).empty()) {
+    map.scalable = scalable_modes(scene, first, meshes.front());
+  }
+  add_mass_properties(map, motion::mass_properties(motion::FiniteElementDynamics(solids, part, attachments), part));
+  OuterSurface surface = outer_surface(part, joints::covered_triangles(solids, meshes));
+  if (surface.triangles.empty()) {
+    throw deck::DeckError(solids.joints.front().where, "joints cover all of the surface, so it makes no sound");
+  }
+  for (const Index node : surface.nodes) {
+    map.vertices.push_back(part.reference[node]);
+  }
+  map.triangles = std::move(surface.triangles);
+  eigenmodes::Modes found = eigenmodes::find_modes(solids, part, attachments, options, MPI_COMM_SELF);
+  std::ranges::stable_sort(found.modes, {}, &eigenmodes::Mode::frequency);  // a loss factor shifts each a little
+  add_modes(map, found.modes, surface.nodes);
+  if (first.modal && first.modal->stretching_tolerance) {
+    map.stretching = eigenmodes::stretching_of(found, solids, part, attachments, *first.modal->stretching_tolerance);
+  }
+  if (is_alone) {
+    map.mesh_error =
+        eigenmodes::mesh_errors(solids, meshes.front(), options.mass, shapes_of(std::move(found.modes)), estimates);
+  }
   return map;
 }
 

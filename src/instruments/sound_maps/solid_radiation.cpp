@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "idiophone/air/harmonic/boundary_elements.hpp"
+#include "outer_surface.hpp"
 
 namespace idiophone::sound_maps {
 
@@ -20,6 +22,15 @@ double boundary_element_time(const SoundMap& map) {
 
 SolidRadiation solid_radiation(const SoundMap& map, const scene::Radiation& radiation,
                                std::optional<SurfaceModel> wanted) {
+  if (!is_closed(map.triangles)) {
+    const std::string open =
+        "the surface is open at the borders of joints, as the meshes do not meet vertex by vertex there";
+    if (wanted == SurfaceModel::boundary_elements) {
+      throw std::invalid_argument("boundary elements: " + open + "; leave out --radiation, or make the meshes match");
+    }
+    return {sphere_patches(map, radiation), "kirchhoff",
+            wanted ? "" : "model kirchhoff, whose levels can be wrong by 10 dB: " + open};
+  }
   constexpr double longest_by_default = 120.0;  // s
   const double time = boundary_element_time(map);
   const bool is_quick = time <= longest_by_default;

@@ -6,43 +6,17 @@
 #include <limits>
 #include <numeric>
 
+#include "facing_surface.hpp"
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/solids/joints/meshed_joint.hpp"
 #include "idiophone/solids/mesh/part.hpp"
-#include "surface_face.hpp"
 
 namespace idiophone::joints {
 
 namespace {
 
-// In widths of the faces:
-constexpr double rigid_slice = 0.01;   // of the softer body, which gives way as much as a rigid joint
-constexpr double default_reach = 0.1;  // how far apart the surfaces may be unless the deck says so
-
-using Faces = std::vector<SurfaceFace>;
-
-/// @throws deck::DeckError where the group has no face on the outside of the body
-Faces faces_of(const scene::JoinedSurface& surface, const std::string& joint, const mesh::Mesh& mesh,
-               Index first_node) {
-  Faces faces;
-  for (const mesh::ElementFace& face : mesh::outer_faces(mesh, surface.group, surface.where)) {
-    faces.emplace_back(mesh, face, first_node);
-  }
-  if (faces.empty()) {
-    throw deck::DeckError(surface.where,
-                          fmt::format("joints.{}: the group '{}' has no faces on the outside of the body: name a "
-                                      "Physical Surface of gmsh",
-                                      joint, surface.group));
-  }
-  return faces;
-}
-
-/// The root of the mean area, m.
-double mean_width(const Faces& faces) {
-  const double area =
-      std::transform_reduce(faces.begin(), faces.end(), 0.0, std::plus<>(), std::mem_fn(&SurfaceFace::area));
-  return std::sqrt(area / static_cast<double>(faces.size()));
-}
+// In widths of a face: the slice of the softer body that gives way as much as a rigid joint.
+constexpr double rigid_slice = 0.01;
 
 /// The smallest Young's modulus of the two bodies' materials, Pa.
 double softest_modulus(const scene::Joint& joint, const scene::Solids& solids) {
@@ -59,57 +33,25 @@ double softest_modulus(const scene::Joint& joint, const scene::Solids& solids) {
 class Joiner {
  public:
   /// @param points  of quadrature along each side of a face
-  Joiner(const Faces& second, double reach, int points) : second_(second), reach_(reach), points_(points) {}
+  Joiner(const FacingSurface& second, int points) : second_(second), points_(points) {}
 
   void join(const SurfaceFace& face, MeshedJoint& joint) const {
-    const std::vector<const SurfaceFace*> close = close_to(face);
+    const std::vector<const SurfaceFace*> close = second_.close_to(face.centre(), face.radius());
     if (close.empty()) {
       return;
     }
     for (const auto& [place, weight] : face.quadrature(points_)) {
       const SurfaceFace::Spot spot = face.at(place);
       const double area = spot.normal().norm();
-      if (const auto partner = partner_of(spot.position, spot.normal() / area, close)) {
+      if (const auto partner = second_.partner_of(spot.position, spot.normal() / area, close)) {
         append(face, spot, weight * area, *partner, joint);
       }
     }
   }
 
  private:
-  struct Partner {
-    const SurfaceFace* face;
-    SurfaceFace::Crossing crossing;
-  };
-
-  [[nodiscard]] std::vector<const SurfaceFace*> close_to(const SurfaceFace& face) const {
-    std::vector<const SurfaceFace*> close;
-    for (const SurfaceFace& other : second_) {
-      if ((face.centre() - other.centre()).norm() <= face.radius() + other.radius() + reach_) {
-        close.push_back(&other);
-      }
-    }
-    return close;
-  }
-
-  /// The nearest point of the second surface that lies on a normal and faces it. Of equally near ones, the first.
-  [[nodiscard]] std::optional<Partner> partner_of(const Vector3& position, const Vector3& normal,
-                                                  const std::vector<const SurfaceFace*>& faces) const {
-    std::optional<Partner> nearest;
-    double smallest = reach_;
-    for (const SurfaceFace* face : faces) {
-      const auto crossing = face->crossing(position, normal);
-      const bool is_nearer =
-          crossing && (nearest ? std::abs(crossing->distance) < smallest : std::abs(crossing->distance) <= smallest);
-      if (is_nearer && crossing->spot.normal().dot(normal) < 0) {
-        nearest = {face, *crossing};
-        smallest = std::abs(crossing->distance);
-      }
-    }
-    return nearest;
-  }
-
-  static void append(const SurfaceFace& face, const SurfaceFace::Spot& spot, double area, const Partner& partner,
-                     MeshedJoint& joint) {
+  static void append(const SurfaceFace& face, const SurfaceFace::Spot& spot, double area,
+                     const FacingSurface::Partner& partner, MeshedJoint& joint) {
     JointPoint point{.area = area, .distance = partner.crossing.distance};
     const auto end = [&] { return static_cast<Index>(joint.weights.size()); };
     point.first_begin = end();
@@ -126,8 +68,7 @@ class Joiner {
     joint.points.push_back(point);
   }
 
-  const Faces& second_;
-  double reach_;
+  const FacingSurface& second_;
   int points_;
 };
 
@@ -137,7 +78,7 @@ MeshedJoint mesh_joint(const scene::Joint& joint, const scene::Solids& solids, F
     std::swap(first, second);
   }
   const double width = mean_width(first);
-  const double reach = joint.reach.value_or(default_reach * width);
+  const FacingSurface facing(second, reach_of(joint, first, second));
   const double rigid = softest_modulus(joint, solids) / (rigid_slice * width);
   const scene::LayerStiffness stiffness = joint.stiffness.value_or(scene::LayerStiffness{rigid, rigid});
   MeshedJoint meshed{.normal = stiffness.normal,
@@ -145,7 +86,7 @@ MeshedJoint mesh_joint(const scene::Joint& joint, const scene::Solids& solids, F
                      .damping = joint.damping,
                      .points = {},
                      .weights = {}};
-  const Joiner joiner(second, reach, std::max(first.front().order(), second.front().order()) + 1);
+  const Joiner joiner(facing, std::max(first.front().order(), second.front().order()) + 1);
   for (const SurfaceFace& face : first) {
     joiner.join(face, meshed);
   }
@@ -153,7 +94,7 @@ MeshedJoint mesh_joint(const scene::Joint& joint, const scene::Solids& solids, F
     throw deck::DeckError(
         joint.where, fmt::format("joints.{}: no part of the two surfaces faces the other within {:.3g} m: move the "
                                  "bodies together, or give a larger reach",
-                                 joint.name, reach));
+                                 joint.name, facing.reach()));
   }
   return meshed;
 }

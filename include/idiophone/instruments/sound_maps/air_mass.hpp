@@ -16,6 +16,7 @@ namespace idiophone::sound_maps {
 /// frequencies.
 /// @param map  as of dry_modes()
 /// @return how many modes, the lowest, the surface resolves; the others stay as they are
+/// @throws std::runtime_error where the surface is open at the borders of joints
 std::size_t add_air_mass(SoundMap& map);
 
 }  // namespace idiophone::sound_maps

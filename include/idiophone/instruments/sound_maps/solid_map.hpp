@@ -1,5 +1,5 @@
 #pragma once
-// The modes of a body of finite elements, as a sound map without sound.
+// The modes of a body of finite elements, or of bodies that joints tie together, as a sound map without sound.
 
 #include <cstddef>
 
@@ -10,12 +10,14 @@
 
 namespace idiophone::sound_maps {
 
-/// Meshes a body and finds its modes on this rank alone, so that their bits do not depend on the number of ranks. Fills
-/// in everything except for `code_version`, `resolved_deck` and the radiation.
-/// @param body       index into Scene::bodies. Its loads, contacts and all other bodies are left out.
-/// @param estimates  of the error of the mesh
-/// @throws deck::DeckError as mesh::read_mesh() and motion::attach(), std::runtime_error as eigenmodes::find_modes()
-[[nodiscard]] sound_maps::SoundMap solid_map(const scene::Scene& scene, std::size_t body,
-                                             const eigenmodes::Options& options, eigenmodes::Estimates estimates);
+/// Meshes a body with those that joints tie to it and finds their modes on this rank alone, so that their bits do not
+/// depend on the number of ranks. Fills in everything except for `code_version`, `resolved_deck` and the radiation. The
+/// surface is that of all these bodies, without the triangles that joints cover (joints::covered_triangles()).
+/// @param body       index into Scene::bodies; its name is the map's. Loads, contacts and other bodies are left out.
+/// @param estimates  of the error of the mesh; there are none of a body with joints
+/// @throws deck::DeckError as mesh::read_mesh() and motion::attach(), and where joints cover all of the surface;
+/// std::runtime_error as eigenmodes::find_modes()
+[[nodiscard]] SoundMap solid_map(const scene::Scene& scene, std::size_t body, const eigenmodes::Options& options,
+                                 eigenmodes::Estimates estimates);
 
 }  // namespace idiophone::sound_maps

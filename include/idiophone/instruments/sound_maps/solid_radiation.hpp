@@ -18,8 +18,9 @@ struct SolidRadiation {
 };
 
 /// @param map     of a solid, with its modes and its surface
-/// @param wanted  none: boundary elements if they take less than two minutes on one core
-/// @throws std::invalid_argument as boundary_elements()
+/// @param wanted  none: boundary elements if the surface is closed and they take less than two minutes on one core
+/// @throws std::invalid_argument as boundary_elements(), and where they are wanted for a surface that is open at the
+///         borders of joints
 [[nodiscard]] SolidRadiation solid_radiation(const SoundMap& map, const scene::Radiation& radiation,
                                              std::optional<SurfaceModel> wanted);
 

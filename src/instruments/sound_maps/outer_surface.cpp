@@ -1,0 +1,85 @@
+#include "outer_surface.hpp"
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <utility>
+
+namespace idiophone::sound_maps {
+
+namespace {
+
+using Edge = std::pair<Index, Index>;  // of vertices, in the order in which a triangle has them
+
+/// Those that have a triangle on one side only.
+std::vector<Edge> open_edges(std::span<const std::array<Index, 3>> triangles) {
+  std::map<Edge, int> sides;  // triangles on the one side, less those on the other
+  for (const auto& [a, b, c] : triangles) {
+    for (const auto& [from, to] : {Edge(a, b), Edge(b, c), Edge(c, a)}) {
+      ++sides[{from, to}];
+      --sides[{to, from}];
+    }
+  }
+  std::vector<Edge> open;
+  for (const auto& [edge, count] : sides) {
+    if (count > 0) {
+      open.push_back(edge);
+    }
+  }
+  return open;
+}
+
+/// [vertices] The number of the first vertex at open edges that lies at the same place; elsewhere the vertex's own.
+std::vector<Index> joined_vertices(const mesh::Part& part, const std::vector<mesh::Triangle>& triangles) {
+  constexpr double same_place = 1e-6;  // lengths of an open edge there
+  const auto place = [&](Index vertex) -> const Vector3& { return part.reference[part.vertices[vertex]]; };
+  std::map<Index, double> reach;  // of the vertices at open edges, m
+  for (const auto& [from, to] : open_edges(triangles)) {
+    reach[from] = reach[to] = same_place * (place(to) - place(from)).norm();
+  }
+  std::vector<Index> joined(part.vertices.size());
+  std::iota(joined.begin(), joined.end(), 0);
+  for (auto one = reach.begin(); one != reach.end(); ++one) {
+    for (auto other = std::next(one); other != reach.end(); ++other) {
+      if ((place(other->first) - place(one->first)).norm() <= one->second) {
+        joined[other->first] = std::min(joined[other->first], joined[one->first]);
+      }
+    }
+  }
+  return joined;
+}
+
+}  // namespace
+
+OuterSurface outer_surface(const mesh::Part& part, const std::vector<char>& covered) {
+  OuterSurface outer;
+  for (std::size_t t = 0; t < part.surface.size(); ++t) {
+    if (covered[t] == 0) {
+      outer.triangles.push_back(part.surface[t]);
+    }
+  }
+  const std::vector<Index> joined = joined_vertices(part, outer.triangles);
+  std::vector<Index> places(part.vertices.size(), -1);  // in `nodes`; -1 of vertices that no triangle has
+  for (mesh::Triangle& triangle : outer.triangles) {
+    for (Index& vertex : triangle) {
+      vertex = joined[vertex];
+      places[vertex] = 0;
+    }
+  }
+  for (std::size_t vertex = 0; vertex < places.size(); ++vertex) {
+    if (places[vertex] == 0) {
+      places[vertex] = static_cast<Index>(outer.nodes.size());
+      outer.nodes.push_back(part.vertices[vertex]);
+    }
+  }
+  for (mesh::Triangle& triangle : outer.triangles) {
+    std::ranges::for_each(triangle, [&](Index& vertex) { vertex = places[vertex]; });
+  }
+  return outer;
+}
+
+bool is_closed(std::span<const std::array<Index, 3>> triangles) {
+  return open_edges(triangles).empty();
+}
+
+}  // namespace idiophone::sound_maps

@@ -1,0 +1,53 @@
+#include "idiophone/solids/joints/covered_triangles.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <span>
+
+#include "facing_surface.hpp"
+#include "idiophone/solids/mesh/part.hpp"
+
+namespace idiophone::joints {
+
+namespace {
+
+bool is_covered(const mesh::Triangle& triangle, const std::vector<Vector3>& nodes, const FacingSurface& other) {
+  const Vector3 &a = nodes[triangle[0]], &b = nodes[triangle[1]], &c = nodes[triangle[2]];
+  const Vector3 middle = (a + b + c) / 3.0;
+  const Vector3 normal = (b - a).cross(c - a).normalized();
+  return other.partner_of(middle, normal, other.close_to(middle, 0.0)).has_value();
+}
+
+/// Marks the triangles of a joined surface that the other one covers.
+/// @param covered  [triangles of the mesh]
+void cover(const scene::JoinedSurface& surface, const mesh::Mesh& mesh, const FacingSurface& other,
+           std::span<char> covered) {
+  std::vector<mesh::Triangle> triangles;
+  for (const mesh::ElementFace& face : mesh::outer_faces(mesh, surface.group, surface.where)) {
+    mesh::append_triangles(mesh, face, triangles);
+  }
+  for (const mesh::Triangle& triangle : triangles) {
+    if (is_covered(triangle, mesh.nodes, other)) {
+      covered[std::ranges::lower_bound(mesh.outer_surface(), triangle) - mesh.outer_surface().begin()] = 1;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<char> covered_triangles(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes) {
+  const std::vector<Index> first_triangle = mesh::offsets(meshes).triangles;
+  std::vector<char> covered(first_triangle.back());
+  for (const scene::Joint& joint : solids.joints) {
+    const auto& [one, other] = joint.surfaces;
+    const Faces of_one = faces_of(one, joint.name, meshes[one.body], 0);
+    const Faces of_other = faces_of(other, joint.name, meshes[other.body], 0);
+    const double reach = reach_of(joint, of_one, of_other);
+    const auto of_body = [&](std::size_t body) { return std::span(covered).subspan(first_triangle[body]); };
+    cover(one, meshes[one.body], {of_other, reach}, of_body(one.body));
+    cover(other, meshes[other.body], {of_one, reach}, of_body(other.body));
+  }
+  return covered;
+}
+
+}  // namespace idiophone::joints
