@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "outer_surface.hpp"
+#include "exposed_surface.hpp"
 
 namespace idiophone::sound_maps {
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "exposed_surface.hpp"
 #include "idiophone/air/harmonic/boundary_elements.hpp"
-#include "outer_surface.hpp"
 
 namespace idiophone::sound_maps {
 

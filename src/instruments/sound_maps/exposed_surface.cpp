@@ -1,4 +1,4 @@
-#include "outer_surface.hpp"
+#include "exposed_surface.hpp"
 
 #include <algorithm>
 #include <map>
@@ -51,8 +51,8 @@ std::vector<Index> joined_vertices(const mesh::Part& part, const std::vector<mes
 
 }  // namespace
 
-OuterSurface outer_surface(const mesh::Part& part, const std::vector<char>& covered) {
-  OuterSurface outer;
+ExposedSurface exposed_surface(const mesh::Part& part, const std::vector<char>& covered) {
+  ExposedSurface outer;
   for (std::size_t t = 0; t < part.surface.size(); ++t) {
     if (covered[t] == 0) {
       outer.triangles.push_back(part.surface[t]);

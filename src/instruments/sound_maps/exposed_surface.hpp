@@ -9,7 +9,7 @@
 
 namespace idiophone::sound_maps {
 
-struct OuterSurface {
+struct ExposedSurface {
   std::vector<Index> nodes;               ///< its vertices, ascending
   std::vector<mesh::Triangle> triangles;  ///< as places in `nodes`
 };
@@ -18,7 +18,7 @@ struct OuterSurface {
 /// one place of the border of a joint become one, the one with the lower number.
 /// @param part     all of the bodies
 /// @param covered  [triangles] by joints::covered_triangles()
-[[nodiscard]] OuterSurface outer_surface(const mesh::Part& part, const std::vector<char>& covered);
+[[nodiscard]] ExposedSurface exposed_surface(const mesh::Part& part, const std::vector<char>& covered);
 
 /// Whether each edge has as many triangles on the one side as on the other.
 [[nodiscard]] bool is_closed(std::span<const std::array<Index, 3>> triangles);
