@@ -155,9 +155,9 @@ TEST(Tune, KeepsABandFreeOfModes) {
 }
 
 TEST(Tune, SaysWhatIsInABandThatItCanNotKeepFree) {
-  const std::vector<Variable> length = {{"length", 0.225, 0.227, 0.226}};
-  const Tuning found = tune(bar_with, length, {.values = {1, 2}, .are_ratios = true},
-                            {.modes = {1, 2}, .tolerance = 30, .avoided = {{900, 1100}}});
+  const Target any_pitch{.values = {1}, .are_ratios = true};
+  const Tuning found = tune(bar_with, {{"length", 0.225, 0.227, 0.226}}, any_pitch,
+                            {.modes = {1}, .tolerance = 30, .avoided = {{900, 1100}}});
   EXPECT_FALSE(found.is_tuned);
   ASSERT_EQ(found.avoided[0].modes.size(), 1U);
   EXPECT_EQ(found.avoided[0].modes[0], 1);
