@@ -105,6 +105,18 @@ class Tune(program.TestCase):
         self.assertAlmostEqual(mode["frequency"], 440, delta=0.5)
         self.assertAlmostEqual(mode["mesh_error"], found["modes"][0]["mesh_error"], delta=0.05)
 
+    def test_decay_times_and_bands_without_modes(self):
+        deck = (TUNING / "tuned_tuning_fork.yaml").read_text()
+        mass, stiffness = (float(re.search(rf"{name}: ([\d.e-]+)", deck)[1]) for name in ("mass", "stiffness"))
+        wanted = 2 * math.log(1000) / (mass + stiffness * (2 * math.pi * 440) ** 2)
+        job = self.tune("--target", "A4", "--mode-numbers", "2", "--vary", "bodies.fork.parameters.length=0.05:0.11",
+                        "--tolerance", "50", "--decay-time", f"2={wanted}", "--avoid", "500:600", "--json", deck="tuned_tuning_fork")
+        self.require_status(job, program.FINISHED)
+        found = json.loads(job.stdout)
+        (decay,) = found["decays"]
+        self.assertAlmostEqual(decay["decay_time"] / wanted, 1, delta=1e-3)
+        self.assertEqual(found["avoided"], [{"lower": 500, "upper": 600, "modes": [], "frequencies": []}])
+
     def partials(self, deck, *settings):
         """Frequencies in the run of a deck."""
         arguments = [word for setting in settings for word in ("--set", setting)]
@@ -173,7 +185,13 @@ class Tune(program.TestCase):
                 ([*one, "--scatter", f"{length}=0"], "the standard deviation must be above 0"),
                 ([*one, "--scatter", f"{length}=2%", "--scatter", f"{length}=0.001"], "this key is given twice"),
                 ([*one, "--scatter", "bodies.fork.parameters.width=1%"], "has no key bodies.fork.parameters.width"),
-                ([*one, "--within", "0"], "--within must be above 0 cents")):
+                ([*one, "--within", "0"], "--within must be above 0 cents"),
+                ([*one, "--decay-time", "2"], "--decay-time 2: expected MODE=SECONDS"),
+                ([*one, "--decay-time", "2=1", "--decay-time", "2=3"], "this mode is given twice"),
+                ([*one, "--decay-tolerance", "0"], "--decay-tolerance must be above 0 percent"),
+                ([*one, "--avoid", "500:400"], "--avoid 500:400: the lowest frequency must be below the highest"),
+                ([*one, "--avoid", "A4"], "--avoid A4: expected LOWEST:HIGHEST"),
+                ([*one, "--avoid", "A4~50"], "440 Hz is wanted, but 427.474 to 452.893 Hz is to be avoided")):
             with self.subTest(arguments=arguments):
                 job = self.tune(*arguments)
                 self.require_status(job, program.FAILED)

@@ -54,8 +54,8 @@ def test_wrong_measurements_are_program_errors(ball):
 
 
 def test_tunes_a_plate(simple):
-    found = simple.tune([200.0], {THICKNESS: (0.01, 0.03)}, scatter={THICKNESS: "0.5%"}, within=5)
-    assert found.tuned and found.bounds == {THICKNESS: None}
+    found = simple.tune([200.0], {THICKNESS: (0.01, 0.03)}, scatter={THICKNESS: "0.5%"}, within=5, avoid=["1:2"])
+    assert found.tuned and not found.decays and not found.avoided[0].modes and found.bounds == {THICKNESS: None}
     (mode,) = found.modes
     assert (mode.start_mode, mode.wanted) == (1, 200) and abs(mode.cents) < 2
     assert mode.sensitivities[THICKNESS] > 0, "a thicker plate is higher"

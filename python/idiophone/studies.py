@@ -70,6 +70,27 @@ class TunedMode:
 
 
 @dataclass(frozen=True)
+class TunedDecay:
+    """A mode whose decay time was wanted."""
+    start_mode: int                   #: its number at the start, from 1 on
+    mode: int                         #: its number in the end
+    start: float                      #: T60, s
+    decay_time: float                 #: s
+    wanted: float                     #: s
+    percent: float                    #: of the decay time above the wanted one
+    sensitivities: dict[str, float]   #: key -> percent per unit of this number
+
+
+@dataclass(frozen=True)
+class AvoidedBand:
+    """Frequencies that no mode should have."""
+    lower: float                #: Hz
+    upper: float                #: Hz
+    modes: list[int]            #: numbers of those that are there all the same, from 1 on
+    frequencies: list[float]    #: theirs, Hz
+
+
+@dataclass(frozen=True)
 class ModeScatter:
     """How a mode differs from body to body."""
     mode: int                   #: its number, from 1 on
@@ -89,10 +110,12 @@ class InTune:
 @dataclass(frozen=True)
 class Tuning:
     """Numbers of a deck that give modes wanted frequencies (docs/use/tune.md)."""
-    tuned: bool                      #: whether all modes are within the tolerance
+    tuned: bool                      #: whether all is as it was wanted
     values: dict[str, float]         #: key -> the number: for key, value in tuning.values.items(): deck[key] = value
     bounds: dict[str, str | None]    #: key -> "lower" or "upper" if the number is on this bound
     modes: list[TunedMode]
+    decays: list[TunedDecay]
+    avoided: list[AvoidedBand]
     in_tune: InTune | None           #: None if no numbers scatter
     solves: int                      #: bodies that were solved
     messages: list[str]              #: what the program says besides
@@ -108,6 +131,8 @@ def identification(answer: Facts) -> Identification:
 def tuning(answer: Facts) -> Tuning:
     """From what the program answers."""
     return _made(Tuning, answer, modes=[_made(TunedMode, facts) for facts in answer["modes"]],
+                 decays=[_made(TunedDecay, facts) for facts in answer["decays"]],
+                 avoided=[_made(AvoidedBand, facts) for facts in answer["avoided"]],
                  in_tune=answer["in_tune"] and in_tune(answer["in_tune"]))
 
 

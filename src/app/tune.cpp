@@ -33,6 +33,9 @@ struct TuneOptions {
   TargetOptions target;
   std::vector<std::string> vary;     ///< KEY=LOWEST:HIGHEST
   double tolerance = 2.0;            ///< cents
+  std::vector<std::string> decays;   ///< MODE=SECONDS
+  double decay_tolerance = 5.0;      ///< percent
+  std::vector<std::string> avoided;  ///< LOWEST:HIGHEST or MIDDLE~CENTS
   std::vector<std::string> scatter;  ///< KEY=DEVIATION
   double within = 5.0;               ///< cents, of a body that is in tune
   eigenmodes::MassMatrix mass = eigenmodes::MassMatrix::lumped;
@@ -50,6 +53,16 @@ void declare(CLI::App& app, TuneOptions& options) {
   add_renamed(app, "--modes", "--mode-numbers");
   add_body(app, options.body);
   app.add_option("--tolerance", options.tolerance, "cents")->capture_default_str();
+  app.add_option("--decay-time", options.decays,
+                 "MODE=SECONDS: decay time (T60) of a mode, by its number at the start; may be given again")
+      ->take_all()
+      ->expected(1);
+  app.add_option("--decay-tolerance", options.decay_tolerance, "percent, of decay times")->capture_default_str();
+  app.add_option("--avoid", options.avoided,
+                 "LOWEST:HIGHEST, Hz or notes, or A4~50, a distance in cents: where no mode shall be; may be given "
+                 "again")
+      ->take_all()
+      ->expected(1);
   app.add_option(
          "--scatter", options.scatter,
          "KEY=DEVIATION: standard deviation of a number from body to body, or in percent (=2%), for the yield; may "
@@ -69,6 +82,9 @@ using fitting::Variable;
 void check_tune(const TuneOptions& options) {
   if (!(options.tolerance > 0 && std::isfinite(options.tolerance))) {
     throw std::runtime_error(fmt::format("--tolerance must be above 0 cents, not {}", options.tolerance));
+  }
+  if (!(options.decay_tolerance > 0 && std::isfinite(options.decay_tolerance))) {
+    throw std::runtime_error(fmt::format("--decay-tolerance must be above 0 percent, not {}", options.decay_tolerance));
   }
   if (!(options.within > 0 && std::isfinite(options.within))) {
     throw std::runtime_error(fmt::format("--within must be above 0 cents, not {}", options.within));
@@ -121,10 +137,36 @@ int judge(const TuningAnswer& answer, const TuneOptions& options) {
     spdlog::error("stopped after {} eigenvalue problems: the values are the best ones so far", tuning.solves);
     return loop::exit_resumable;
   }
-  spdlog::error("not all modes are within {:g} cents; vary more numbers, or widen their bounds{}{}{}",
-                options.tolerance, bounds_remark(tuning, answer.variables),
+  spdlog::error("{}; vary more numbers, or widen their bounds{}{}{}",
+                missed_remark(tuning, options.tolerance, options.decay_tolerance),
+                bounds_remark(tuning, answer.variables),
                 tuning.refusal.empty() ? "" : ". The last shape that was refused: ", tuning.refusal);
   return loop::exit_failed;
+}
+
+/// @throws std::runtime_error for a text with another form, and a mode that is given twice
+std::vector<fitting::WantedDecay> wanted_decays(const std::vector<std::string>& texts) {
+  std::vector<fitting::WantedDecay> decays;
+  for (const std::string& text : texts) {
+    decays.push_back(fitting::read_wanted_decay(text));
+    if (std::ranges::count(decays, decays.back().mode, &fitting::WantedDecay::mode) > 1) {
+      throw std::runtime_error(fmt::format("--decay-time {}: this mode is given twice", text));
+    }
+  }
+  return decays;
+}
+
+/// What a search shall reach.
+fitting::TuningOptions tuning_options(const TuneOptions& options, const fitting::Target& target) {
+  fitting::TuningOptions wanted{.modes = modes_to_tune(options.target, target),
+                                .tolerance = options.tolerance,
+                                .decays = wanted_decays(options.decays),
+                                .decay_tolerance = options.decay_tolerance,
+                                .body = options.body,
+                                .mass = options.mass};
+  std::ranges::transform(options.avoided, std::back_inserter(wanted.avoided),
+                         [&](const std::string& text) { return fitting::read_band(text, options.target.a4); });
+  return wanted;
 }
 
 /// What the command computes of a deck, and shows how far it is.
@@ -143,12 +185,9 @@ struct Work {
   }
 
   [[nodiscard]] Tuning tuned(const std::vector<Variable>& variables) {
-    return fitting::tune(scene_of(options.overrides, variables), variables, target,
-                         {.modes = modes_to_tune(options.target, target),
-                          .tolerance = options.tolerance,
-                          .body = options.body,
-                          .mass = options.mass,
-                          .watch = watch_by(progress)});
+    fitting::TuningOptions wanted = tuning_options(options, target);
+    wanted.watch = watch_by(progress);
+    return fitting::tune(scene_of(options.overrides, variables), variables, target, wanted);
   }
 
   /// Of the tuned shape; none without numbers that scatter, and where a signal ended the work.

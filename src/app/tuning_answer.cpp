@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "idiophone/run/loop/facts.hpp"
@@ -11,6 +12,8 @@ namespace idiophone::app {
 
 namespace {
 
+using fitting::AvoidedBand;
+using fitting::TunedDecay;
 using fitting::TunedMode;
 using fitting::Tuning;
 using fitting::Variable;
@@ -65,6 +68,43 @@ void print_modes(const Tuning& tuning, const std::vector<Variable>& variables) {
       "millimetre for a length)\n");
 }
 
+void print_decays(const Tuning& tuning, const std::vector<Variable>& variables) {
+  if (tuning.decays.empty()) {
+    return;
+  }
+  fmt::print("\n{:>10}  {:>4}  {:>12}  {:>12}  {:>12}  {:>8}", "start mode", "mode", "start/s", "decay time/s",
+             "wanted/s", "percent");
+  for (const Variable& variable : variables) {
+    fmt::print("  {:>12}", short_name(variable.key));
+  }
+  fmt::print("\n");
+  for (const TunedDecay& decay : tuning.decays) {
+    fmt::print("{:>10}  {:>4}  {:>12.4g}  {:>12.4g}  {:>12.4g}  {:>+8.2f}", decay.start_mode, decay.mode, decay.start,
+               decay.decay_time, decay.wanted, decay.percent);
+    for (const double sensitivity : decay.sensitivities) {
+      fmt::print("  {:>+12.3f}", sensitivity * 1e-3);
+    }
+    fmt::print("\n");
+  }
+  fmt::print("(decay time: T60, by the material and the supports, without air; under each key: percent per 0.001)\n");
+}
+
+/// "mode 3 at 401.20 Hz, mode 4 at 410.00 Hz"
+std::string modes_in(const AvoidedBand& avoided) {
+  std::vector<std::string> modes;
+  for (std::size_t i = 0; i < avoided.modes.size(); ++i) {
+    modes.push_back(fmt::format("mode {} at {:.2f} Hz", avoided.modes[i], avoided.frequencies[i]));
+  }
+  return fmt::format("{}", fmt::join(modes, ", "));
+}
+
+void print_avoided(const Tuning& tuning) {
+  for (const AvoidedBand& avoided : tuning.avoided) {
+    fmt::print("\nbetween {:.2f} and {:.2f} Hz: {}\n", avoided.band.lower, avoided.band.upper,
+               avoided.modes.empty() ? "no mode" : modes_in(avoided));
+  }
+}
+
 void print_in_tune(const InTune& in_tune, const std::vector<TunedMode>& modes) {
   fmt::print("\n{:.1f} % of the bodies are within {:g} cents\n{:<40}  {:>12}  {:>12}", 100 * in_tune.yield.share,
              in_tune.within, "scatter", "mean", "deviation");
@@ -85,6 +125,15 @@ void print_in_tune(const InTune& in_tune, const std::vector<TunedMode>& modes) {
     fmt::print("  {:>9.2f}", deviation);
   }
   fmt::print("\n(under each mode: cents for one standard deviation)\n");
+}
+
+/// @param values  [variables]
+nlohmann::json by_key(const std::vector<double>& values, const std::vector<Variable>& variables) {
+  nlohmann::json object = nlohmann::json::object();
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    object[variables[i].key] = values[i];
+  }
+  return object;
 }
 
 nlohmann::json to_json(const InTune& in_tune, const std::vector<TunedMode>& modes) {
@@ -111,6 +160,8 @@ nlohmann::json to_json(const InTune& in_tune, const std::vector<TunedMode>& mode
 void print(const TuningAnswer& answer) {
   print_values(answer.tuning, answer.variables);
   print_modes(answer.tuning, answer.variables);
+  print_decays(answer.tuning, answer.variables);
+  print_avoided(answer.tuning);
   if (answer.in_tune) {
     print_in_tune(*answer.in_tune, answer.tuning.modes);
   }
@@ -135,15 +186,50 @@ nlohmann::json to_json(const TuningAnswer& answer) {
                             {"wanted", mode.wanted},
                             {"cents", mode.cents},
                             {"similarity", mode.similarity},
-                            {"sensitivities", nlohmann::json::object()},
+                            {"sensitivities", by_key(tuning.sensitivities[m], variables)},
                             {"mesh_error", loop::number_or_null(mode.mesh_error)}};
-    for (std::size_t i = 0; i < variables.size(); ++i) {
-      entry["sensitivities"][variables[i].key] = tuning.sensitivities[m][i];
-    }
     facts["modes"].push_back(entry);
+  }
+  facts["decays"] = nlohmann::json::array();
+  for (const TunedDecay& decay : tuning.decays) {
+    facts["decays"].push_back({{"start_mode", decay.start_mode},
+                               {"mode", decay.mode},
+                               {"start", decay.start},
+                               {"decay_time", decay.decay_time},
+                               {"wanted", decay.wanted},
+                               {"percent", decay.percent},
+                               {"sensitivities", by_key(decay.sensitivities, variables)}});
+  }
+  facts["avoided"] = nlohmann::json::array();
+  for (const AvoidedBand& avoided : tuning.avoided) {
+    facts["avoided"].push_back({{"lower", avoided.band.lower},
+                                {"upper", avoided.band.upper},
+                                {"modes", avoided.modes},
+                                {"frequencies", avoided.frequencies}});
   }
   facts["in_tune"] = in_tune ? to_json(*in_tune, tuning.modes) : nlohmann::json();
   return facts;
+}
+
+std::string missed_remark(const Tuning& tuning, double tolerance, double decay_tolerance) {
+  std::vector<std::string> missed;
+  if (std::ranges::any_of(tuning.modes, [&](const TunedMode& mode) { return std::abs(mode.cents) > tolerance; })) {
+    missed.push_back(fmt::format("not all modes are within {:g} cents", tolerance));
+  }
+  for (const TunedDecay& decay : tuning.decays) {
+    if (std::abs(std::log(decay.decay_time / decay.wanted)) > decay_tolerance / 100) {
+      missed.push_back(
+          fmt::format("mode {} decays in {:.4g} s instead of {:.4g} s", decay.mode, decay.decay_time, decay.wanted));
+    }
+  }
+  for (const AvoidedBand& avoided : tuning.avoided) {
+    if (!avoided.modes.empty()) {
+      missed.push_back(fmt::format("between {:.2f} and {:.2f} Hz there is {}", avoided.band.lower, avoided.band.upper,
+                                   modes_in(avoided)));
+    }
+  }
+  return missed.empty() ? "several modes are too near to a band that is to be avoided"
+                        : fmt::format("{}", fmt::join(missed, ", and "));
 }
 
 std::string bounds_remark(const Tuning& tuning, const std::vector<Variable>& variables) {

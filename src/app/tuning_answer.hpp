@@ -29,6 +29,10 @@ void print(const TuningAnswer& answer);
 /// The same for scripts.
 [[nodiscard]] nlohmann::json to_json(const TuningAnswer& answer);
 
+/// What is not as it was wanted, as the beginning of a sentence.
+/// @param tolerance, decay_tolerance  cents, percent
+[[nodiscard]] std::string missed_remark(const fitting::Tuning& tuning, double tolerance, double decay_tolerance);
+
 /// The numbers that sit on a bound, as the end of a sentence; empty if none does.
 [[nodiscard]] std::string bounds_remark(const fitting::Tuning& tuning, const std::vector<fitting::Variable>& variables);
 

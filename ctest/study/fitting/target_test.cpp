@@ -42,5 +42,23 @@ TEST(Target, RefusesOtherTexts) {
   EXPECT_THROW(static_cast<void>(read_target("187", "F#3", 440)), std::runtime_error);
 }
 
+TEST(Target, DecayTimesAndBands) {
+  const WantedDecay decay = read_wanted_decay("3=2.5");
+  EXPECT_EQ(decay.mode, 3);
+  EXPECT_EQ(decay.decay_time, 2.5);
+  const Band band = read_band("380:A4", 440);
+  EXPECT_EQ(band.lower, 380);
+  EXPECT_NEAR(band.upper, 440, 1e-9);
+  const Band around = read_band("A4~1200", 440);
+  EXPECT_NEAR(around.lower, 220, 1e-9);
+  EXPECT_NEAR(around.upper, 880, 1e-9);
+  for (const char* wrong : {"", "3", "3=", "3=0", "1.5=2", "0=2", "x=2", "3=2=1", "1e9=2"}) {
+    EXPECT_THROW(static_cast<void>(read_wanted_decay(wrong)), std::runtime_error) << wrong;
+  }
+  for (const char* wrong : {"", "380", "420:380", "380:380", "380:420:430", "A4~0", "A4~-3", "A4~3000", "H4~30"}) {
+    EXPECT_THROW(static_cast<void>(read_band(wrong, 440)), std::runtime_error) << wrong;
+  }
+}
+
 }  // namespace
 }  // namespace idiophone::fitting

@@ -1,8 +1,10 @@
 #include "idiophone/study/fitting/tuning.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "bars.hpp"
 #include "idiophone/study/fitting/deck_numbers.hpp"
@@ -80,6 +82,95 @@ TEST(Tune, StopsWithTheBestValues) {
   EXPECT_LT(std::abs(found.modes[0].cents), std::abs(1200 * std::log2(found.modes[0].start / 1000)));
   EXPECT_NE(found.values[0], 0.2);
   EXPECT_EQ(found.bounds[0], Bound::none);
+}
+
+/// A bar whose length (m) and viscosity (stiffness damping, s) are varied.
+scene::Scene damped_bar(const std::vector<double>& values) {
+  scene::Scene scene = bar_with({values[0]});
+  scene.materials[0].damping.stiffness = values[1];
+  return scene;
+}
+
+/// T60 by such a damping: the amplitude falls by exp(-stiffness w^2/2 t), whatever the shape.
+double decay_time(double stiffness, double frequency) {
+  return 2 * std::log(1000.0) / (stiffness * std::pow(2 * std::numbers::pi * frequency, 2));
+}
+
+const std::vector<Variable> length_and_stiffness = {{"length", 0.12, 0.3, 0.2}, {"stiffness", 1e-7, 3e-6, 1e-6}};
+
+TEST(Tune, ADecayTimeTogetherWithAFrequency) {
+  const Target target{.values = {1000}};
+  const Tuning found = tune(damped_bar, length_and_stiffness, target,
+                            {.modes = {1}, .tolerance = 1, .decays = {{1, 0.3}}, .decay_tolerance = 1});
+  ASSERT_TRUE(found.is_tuned);
+  EXPECT_NEAR(found.modes[0].frequency, 1000, 0.6);
+  EXPECT_NEAR(decay_time(found.values[1], 1000) / 0.3, 1, 0.011);
+  ASSERT_EQ(found.decays.size(), 1U);
+  EXPECT_NEAR(found.decays[0].decay_time / 0.3, 1, 0.01);
+  EXPECT_NEAR(found.decays[0].start, decay_time(1e-6, found.modes[0].start), 1e-6 * found.decays[0].start);
+  EXPECT_NEAR(found.decays[0].sensitivities[1] * found.values[1], -100, 10) << "T60 ~ 1/stiffness";
+}
+
+// Mode 2 bends the bar the other way.
+TEST(Tune, TheDecayTimeOfAModeWhosePitchIsFree) {
+  const Target target{.values = {1000}};
+  const Tuning found = tune(damped_bar, length_and_stiffness, target,
+                            {.modes = {1}, .tolerance = 1, .decays = {{2, 0.1}}, .decay_tolerance = 1});
+  ASSERT_TRUE(found.is_tuned);
+  ASSERT_EQ(found.modes.size(), 1U);
+  const ModeShapes shapes = mode_shapes(damped_bar(found.values), {.count = 4});
+  const double frequency = shapes.frequencies[found.decays[0].mode - 1];
+  EXPECT_GT(frequency, 1500);
+  EXPECT_NEAR(decay_time(found.values[1], frequency) / 0.1, 1, 0.01);
+}
+
+TEST(Tune, RefusesADecayTimeThatNothingGives) {
+  EXPECT_THAT(
+      [] {
+        static_cast<void>(
+            tune(bar_with, {{"length", 0.12, 0.3, 0.2}}, {.values = {1000}}, {.modes = {1}, .decays = {{1, 1.0}}}));
+      },
+      ::testing::ThrowsMessage<std::runtime_error>(::testing::HasSubstr("nothing damps it")));
+}
+
+TEST(Tune, KeepsABandFreeOfModes) {
+  LONG_VERIFICATION();
+  const Target target{.values = {1000}};
+  const std::vector<Variable> sides = {{"length", 0.12, 0.3, 0.226}, {"width", 0.014, 0.03, 0.02}};
+  const auto frequencies = [](const Tuning& found) {
+    return mode_shapes(bar_with(found.values), {.count = 8}).frequencies;
+  };
+  const Tuning alone = tune(bar_with, sides, target, {.modes = {1}, .tolerance = 1});
+  ASSERT_TRUE(alone.is_tuned);
+  EXPECT_TRUE(alone.avoided.empty());
+  const double second = frequencies(alone)[1];
+  const Band band{0.97 * second, 1.04 * second};
+  const Tuning found = tune(bar_with, sides, target, {.modes = {1}, .tolerance = 1, .avoided = {band}});
+  EXPECT_TRUE(found.is_tuned);
+  EXPECT_NEAR(found.modes[0].frequency, 1000, 0.6);
+  EXPECT_THAT(frequencies(found),
+              ::testing::Each(::testing::AnyOf(::testing::Lt(band.lower), ::testing::Gt(band.upper))));
+  ASSERT_EQ(found.avoided.size(), 1U);
+  EXPECT_TRUE(found.avoided[0].modes.empty());
+}
+
+TEST(Tune, SaysWhatIsInABandThatItCanNotKeepFree) {
+  const Target any_pitch{.values = {1}, .are_ratios = true};
+  const Tuning found = tune(bar_with, {{"length", 0.225, 0.227, 0.226}}, any_pitch,
+                            {.modes = {1}, .tolerance = 30, .avoided = {{900, 1100}}});
+  EXPECT_FALSE(found.is_tuned);
+  ASSERT_EQ(found.avoided[0].modes.size(), 1U);
+  EXPECT_EQ(found.avoided[0].modes[0], 1);
+  EXPECT_NEAR(found.avoided[0].frequencies[0], found.modes[0].frequency, 1e-9);
+}
+
+TEST(Tune, RefusesAFrequencyThatIsWantedAndAvoided) {
+  EXPECT_THAT(
+      [] {
+        static_cast<void>(
+            tune(bar_with, {{"length", 0.12, 0.3, 0.2}}, {.values = {1000}}, {.modes = {1}, .avoided = {{990, 1050}}}));
+      },
+      ::testing::ThrowsMessage<std::runtime_error>(::testing::HasSubstr("990 to 1050 Hz is to be avoided")));
 }
 
 TEST(Tune, ASimilarityOfOneForTheSameShape) {

@@ -53,6 +53,7 @@ ModeShapes mode_shapes(const scene::Solids& solids, const eigenmodes::Options& o
   const auto [mesh, modes] = meshed_modes(solids, options);
   for (const eigenmodes::Mode& mode : modes) {
     result.frequencies.push_back(mode.frequency);
+    result.decay_times.push_back(mode.decay_time);
     result.shapes.emplace_back(
         Eigen::Map<const Eigen::VectorXd>(mode.shape.data(), static_cast<Eigen::Index>(mode.shape.size())));
   }

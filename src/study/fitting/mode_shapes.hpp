@@ -11,6 +11,7 @@ namespace idiophone::fitting {
 
 struct ModeShapes {
   std::vector<double> frequencies;      ///< Hz, ascending
+  std::vector<double> decay_times;      ///< T60, s; infinite where nothing damps a mode
   std::vector<Eigen::VectorXd> shapes;  ///< [modes][3 x nodes] displacement at the nodes
   Eigen::Matrix3Xd places;              ///< [3 x nodes] of the nodes in the body's box, 0 to 1 along each side
 };

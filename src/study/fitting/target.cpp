@@ -12,6 +12,9 @@ namespace idiophone::fitting {
 
 namespace {
 
+constexpr double most_modes = 1e6;
+constexpr double widest_band = 2400.0;  // cents to each side
+
 std::vector<std::string> split(const std::string& text, char separator) {
   std::vector<std::string> words;
   std::istringstream stream(text);
@@ -73,6 +76,38 @@ Target read_target(const std::string& text, const std::optional<std::string>& pi
     target.are_ratios = false;
   }
   return target;
+}
+
+WantedDecay read_wanted_decay(const std::string& text) {
+  const std::vector<std::string> parts = split(text, '=');
+  const auto mode = parts.size() == 2 ? positive_number(parts[0]) : std::nullopt;
+  const auto seconds = parts.size() == 2 ? positive_number(parts[1]) : std::nullopt;
+  if (!mode || !seconds || *mode != std::floor(*mode) || *mode > most_modes) {
+    throw std::runtime_error(fmt::format(
+        "--decay-time {}: expected MODE=SECONDS, the number of a mode and its decay time above 0, e.g. 1=2.5", text));
+  }
+  return {static_cast<int>(*mode), *seconds};
+}
+
+Band read_band(const std::string& text, double a4) {
+  const std::vector<std::string> bounds = split(text, ':');
+  if (bounds.size() == 2) {
+    const Band band{frequency_of(bounds[0], a4), frequency_of(bounds[1], a4)};
+    if (!(band.lower < band.upper)) {
+      throw std::runtime_error(fmt::format("--avoid {}: the lowest frequency must be below the highest", text));
+    }
+    return band;
+  }
+  const std::vector<std::string> around = split(text, '~');
+  const auto cents = around.size() == 2 ? positive_number(around[1]) : std::nullopt;
+  if (!cents || *cents > widest_band) {
+    throw std::runtime_error(fmt::format(
+        "--avoid {}: expected LOWEST:HIGHEST, frequencies in Hz or notes, or a frequency or note and a distance from "
+        "it of at most {:g} cents, e.g. 380:420 or A4~50",
+        text, widest_band));
+  }
+  const double middle = frequency_of(around[0], a4);
+  return {middle * std::exp2(-*cents / 1200), middle * std::exp2(*cents / 1200)};
 }
 
 }  // namespace idiophone::fitting

@@ -23,8 +23,9 @@ scene::Solids body_of(const scene::Scene& scene, const std::string& body) {
   return scene::Solids(scene).alone(scene::find_body(scene.bodies, body));
 }
 
-ModeShapes shapes_up_to(int highest, const scene::Solids& body, eigenmodes::MassMatrix mass) {
-  return mode_shapes(body, {.count = highest + more_modes, .mass = mass});
+ModeShapes shapes_up_to(int highest, const scene::Solids& body, eigenmodes::MassMatrix mass, double up_to) {
+  ModeShapes lowest = mode_shapes(body, {.count = highest + more_modes, .mass = mass});
+  return lowest.frequencies.back() > up_to ? lowest : mode_shapes(body, {.up_to = up_to, .mass = mass});
 }
 
 TrackedModes follow(const TrackedModes& known, ModeShapes body) {
@@ -48,8 +49,8 @@ TrackedModes follow(const TrackedModes& known, ModeShapes body) {
 }
 
 Eigen::VectorXd cents_above(const Target& target, const TrackedModes& tracked) {
-  Eigen::VectorXd all(tracked.modes.size());
-  for (std::size_t i = 0; i < tracked.modes.size(); ++i) {
+  Eigen::VectorXd all(target.values.size());
+  for (std::size_t i = 0; i < target.values.size(); ++i) {
     all[static_cast<Eigen::Index>(i)] = partials::cents(tracked.body.frequencies[tracked.modes[i]], target.values[i]);
   }
   return all;

@@ -25,14 +25,16 @@ struct TrackedModes {
 
 /// The modes of a body up to the highest one to follow, and some more, because their order may change.
 /// @param highest  its number, from 1 on
+/// @param up_to    Hz; all modes up to there are among them
 /// @throws what mode_shapes() throws
-[[nodiscard]] ModeShapes shapes_up_to(int highest, const scene::Solids& body, eigenmodes::MassMatrix mass);
+[[nodiscard]] ModeShapes shapes_up_to(int highest, const scene::Solids& body, eigenmodes::MassMatrix mass,
+                                      double up_to = 0.0);
 
 /// Recognises modes by the shapes that they have on a similar body.
 /// @throws std::runtime_error where one of them is no longer there
 [[nodiscard]] TrackedModes follow(const TrackedModes& known, ModeShapes body);
 
-/// Cents of each mode above the target's value. [modes]
+/// Cents of each of the target's modes above its value. [values of the target]
 [[nodiscard]] Eigen::VectorXd cents_above(const Target& target, const TrackedModes& tracked);
 
 /// The errors of modes: their cents; of ratios those above the first mode's, whose own are 0. [modes]

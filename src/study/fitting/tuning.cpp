@@ -10,6 +10,7 @@
 #include "halton_point.hpp"
 #include "idiophone/foundation/dense/nonlinear_least_squares.hpp"
 #include "tracked_modes.hpp"
+#include "tuning_wishes.hpp"
 
 namespace idiophone::fitting {
 
@@ -38,17 +39,17 @@ class Search {
  public:
   Search(const SceneOf& scene_of, const std::vector<Variable>& variables, const Target& target,
          const TuningOptions& options)
-      : scene_of_(scene_of), variables_(variables), target_(target), options_(options) {
-    start_.tracked.numbers = options.modes;
-    std::ranges::transform(options.modes, std::back_inserter(start_.tracked.modes),
+      : scene_of_(scene_of), variables_(variables), wishes_(target, options), options_(options) {
+    start_.tracked.numbers = wishes_.numbers();
+    std::ranges::transform(wishes_.numbers(), std::back_inserter(start_.tracked.modes),
                            [](int number) { return number - 1; });
     start_.point.resize(variables.size());
     std::ranges::transform(variables, start_.point.begin(), [](const Variable& variable) {
       return (variable.start - variable.lower) / (variable.upper - variable.lower);
     });
-    slopes_ = MatrixXd::Zero(static_cast<Eigen::Index>(options.modes.size()), start_.point.size());
     start_.tracked.body = mode_shapes_at(start_.point);
     known_ = now_ = start_;
+    slopes_ = MatrixXd::Zero(measures(start_).size(), start_.point.size());
     keep_if_better();
   }
 
@@ -131,7 +132,7 @@ class Search {
   }
 
   [[nodiscard]] double largest_error(const TriedBody& body) const {
-    return errors(target_, cents(body)).lpNorm<Eigen::Infinity>();
+    return wishes_.errors(measures(body)).lpNorm<Eigen::Infinity>();
   }
 
   [[nodiscard]] bool is_tuned() const { return smallest_error_ <= options_.tolerance; }
@@ -161,8 +162,8 @@ class Search {
 
   ModeShapes mode_shapes_at(const VectorXd& point) {
     ++solves_;
-    return shapes_up_to(std::ranges::max(options_.modes), body_of(scene_of_(values_at(point)), options_.body),
-                        options_.mass);
+    return shapes_up_to(std::ranges::max(wishes_.numbers()), body_of(scene_of_(values_at(point)), options_.body),
+                        options_.mass, wishes_.up_to());
   }
 
   /// Of the best body, cents; NaN if the user does not want to wait. [its modes up to the highest tuned one]
@@ -182,30 +183,24 @@ class Search {
       refusal_ = refused.what();
       return {};
     }
-    return residuals(now_);
+    return VectorXd(wishes_.residuals(measures(now_)));
   }
 
-  [[nodiscard]] VectorXd cents(const TriedBody& body) const { return cents_above(target_, body.tracked); }
-
-  /// The errors that can be other than 0, those of ratios without the first.
-  [[nodiscard]] VectorXd residuals(const TriedBody& body) const {
-    const VectorXd all = errors(target_, cents(body));
-    return target_.are_ratios ? VectorXd(all.tail(all.size() - 1)) : all;
-  }
+  [[nodiscard]] VectorXd measures(const TriedBody& body) const { return wishes_.measures(body.tracked); }
 
   MatrixXd residual_slopes(const VectorXd& point) {
     if (now_.point != point) {
       throw std::logic_error("derivatives are wanted elsewhere than at the last accepted point");
     }
     known_ = now_;
-    const VectorXd here = cents(known_);
+    const VectorXd here = measures(known_);
     slopes_.resize(here.size(), point.size());
     for (Eigen::Index i = 0; i < point.size(); ++i) {
       const double change = point[i] > 0.5 ? -difference_step : difference_step;
       const VectorXd beside = point + change * VectorXd::Unit(point.size(), i);
-      slopes_.col(i) = (cents({beside, follow(known_.tracked, solve(beside))}) - here) / change;
+      slopes_.col(i) = (measures({beside, follow(known_.tracked, solve(beside))}) - here) / change;
     }
-    return target_.are_ratios ? MatrixXd((slopes_.rowwise() - slopes_.row(0)).bottomRows(here.size() - 1)) : slopes_;
+    return wishes_.residuals(slopes_);
   }
 
   [[nodiscard]] std::vector<Bound> bounds_at(const VectorXd& point) const {
@@ -217,17 +212,28 @@ class Search {
     return bounds;
   }
 
+  /// Derivatives of the best body's measures by the variables, in their own units.
+  [[nodiscard]] MatrixXd own_slopes() const {
+    MatrixXd slopes = best_slopes_;
+    for (Eigen::Index v = 0; v < slopes.cols(); ++v) {
+      const Variable& variable = variables_[static_cast<std::size_t>(v)];
+      slopes.col(v) /= variable.upper - variable.lower;
+    }
+    return slopes;
+  }
+
   [[nodiscard]] Tuning result_of(bool stopped) const {
     Tuning result{.values = values_at(best_.point),
                   .bounds = bounds_at(best_.point),
                   .refusal = refusal_,
                   .solves = solves_,
                   .stopped = stopped};
-    const VectorXd errors = fitting::errors(target_, cents(best_));
+    const VectorXd errors = wishes_.errors(measures(best_));
+    const MatrixXd slopes = own_slopes();
     const TrackedModes &start = start_.tracked, &best = best_.tracked;
     const MatrixXd likeness = similarities(start.body, start.modes, best.body);
     const std::vector<double> mesh_errors = this->mesh_errors(stopped);
-    for (std::size_t i = 0; i < best.modes.size(); ++i) {
+    for (std::size_t i = 0; i < options_.modes.size(); ++i) {
       const double frequency = best.body.frequencies[best.modes[i]];
       result.modes.push_back({.start_mode = options_.modes[i],
                               .mode = best.modes[i] + 1,
@@ -237,23 +243,23 @@ class Search {
                               .cents = errors[i],
                               .similarity = likeness(i, best.modes[i]),
                               .mesh_error = mesh_errors[best.modes[i]]});
-      auto& row = result.sensitivities.emplace_back();
-      for (std::size_t v = 0; v < variables_.size(); ++v) {
-        row.push_back(best_slopes_(i, v) / (variables_[v].upper - variables_[v].lower));
-      }
+      const VectorXd row = slopes.row(static_cast<Eigen::Index>(i));
+      result.sensitivities.emplace_back(row.begin(), row.end());
     }
+    result.decays = wishes_.decays(start, best, slopes);
+    result.avoided = wishes_.avoided(best.body);
     result.is_tuned = is_tuned();
     return result;
   }
 
   const SceneOf& scene_of_;
   const std::vector<Variable>& variables_;
-  const Target& target_;
+  Wishes wishes_;
   const TuningOptions& options_;
   int solves_ = 0;
   std::string refusal_;
   TriedBody start_, known_, now_, best_;  ///< known: the last accepted; now: the last tried
-  MatrixXd slopes_, best_slopes_;  ///< cents of each mode over the unknowns, at the last accepted point, the best
+  MatrixXd slopes_, best_slopes_;         ///< measures over the unknowns, at the last accepted point, the best
   double smallest_error_ = std::numeric_limits<double>::infinity();  ///< the largest of the best body's, cents
 };
 

@@ -25,4 +25,24 @@ struct Target {
 /// @throws std::runtime_error for any other text, or a pitch without ratios
 [[nodiscard]] Target read_target(const std::string& text, const std::optional<std::string>& pitch, double a4);
 
+/// A decay time that a mode shall have.
+struct WantedDecay {
+  int mode = 0;             ///< its number at the start, from 1 on
+  double decay_time = 0.0;  ///< T60, s
+};
+
+/// @param text  MODE=SECONDS
+/// @throws std::runtime_error for any other text
+[[nodiscard]] WantedDecay read_wanted_decay(const std::string& text);
+
+/// Frequencies that no mode shall have, Hz.
+struct Band {
+  double lower = 0.0;
+  double upper = 0.0;
+};
+
+/// @param text  LOWEST:HIGHEST, in Hz or notes, or a frequency or note and a distance from it in cents: A4~50
+/// @throws std::runtime_error for any other text
+[[nodiscard]] Band read_band(const std::string& text, double a4);
+
 }  // namespace idiophone::fitting

@@ -14,7 +14,10 @@ namespace idiophone::fitting {
 struct TuningOptions {
   std::vector<int> modes;  ///< numbers from 1 on of the modes to tune, at the start; as many as the target's values
   double tolerance = 2.0;  ///< cents
-  std::string body = {};   ///< that is tuned; empty for the first
+  std::vector<WantedDecay> decays = {};  ///< of any modes
+  double decay_tolerance = 5.0;          ///< percent
+  std::vector<Band> avoided = {};        ///< where no mode shall be in the end, tuned or not
+  std::string body = {};                 ///< that is tuned; empty for the first
   eigenmodes::MassMatrix mass = eigenmodes::MassMatrix::lumped;
   Watch watch = {};  ///< none: the search goes on to its end
 };
@@ -34,23 +37,45 @@ struct TunedMode {
       0.0;  ///< cents by which the mesh makes `frequency` too high, estimated; NaN where that takes long
 };
 
+/// A mode whose decay time was wanted.
+struct TunedDecay {
+  int start_mode = 0;                      ///< its number at the start
+  int mode = 0;                            ///< its number now
+  double start = 0.0;                      ///< T60 at the start, s
+  double decay_time = 0.0;                 ///< now, s
+  double wanted = 0.0;                     ///< s
+  double percent = 0.0;                    ///< now above wanted
+  std::vector<double> sensitivities = {};  ///< [variables] percent per unit of the variable
+};
+
+/// What sounds in a band that is to be avoided.
+struct AvoidedBand {
+  Band band;
+  std::vector<int> modes = {};           ///< their numbers now, from 1 on; none is as it should be
+  std::vector<double> frequencies = {};  ///< of these modes, Hz
+};
+
 struct Tuning {
   std::vector<double> values = {};                      ///< [variables]
   std::vector<Bound> bounds = {};                       ///< [variables] that each value sits on
   std::vector<TunedMode> modes = {};                    ///< in the target's order
   std::vector<std::vector<double>> sensitivities = {};  ///< [modes][variables] cents per unit of the variable
-  bool is_tuned = false;                                ///< all modes are within the tolerance
-  std::string refusal = {};                             ///< why the last shape that was refused can't be, if one was
-  int solves = 0;                                       ///< bodies meshed and solved
-  bool stopped = false;                                 ///< the watch ended the search
+  std::vector<TunedDecay> decays = {};                  ///< [TuningOptions::decays]
+  std::vector<AvoidedBand> avoided = {};                ///< [TuningOptions::avoided]
+  bool is_tuned = false;     ///< all modes and decays are within the tolerances, and no mode is in an avoided band
+  std::string refusal = {};  ///< why the last shape that was refused can't be, if one was
+  int solves = 0;            ///< bodies meshed and solved
+  bool stopped = false;      ///< the watch ended the search
 };
 
 /// Searches for values within the bounds, from the start: Gauss-Newton with Levenberg's damping. Derivatives are
 /// differences over a hundredth of the bounds, with new meshes. Modes are recognised by their shapes, not their order:
 /// by the modal assurance criterion with the last accepted shape, sampled at the same places relative to the body's
 /// box. A search that ends outside the tolerance begins again at other points between the bounds (Halton 1960), to
-/// which the modes are followed from the start; the best end counts. On this rank alone.
-/// @throws std::runtime_error if a mode can't be recognised next to the start; what `scene_of`, mesh::read_mesh() and
+/// which the modes are followed from the start; the best end counts. Decay times are those by the material and the
+/// supports, without air. On this rank alone.
+/// @throws std::runtime_error if a target's frequency is to be avoided, if nothing damps a mode whose decay time is
+///         wanted, or if a mode can't be recognised next to the start; what `scene_of`, mesh::read_mesh() and
 ///         eigenmodes::find_modes() throw there
 [[nodiscard]] Tuning tune(const SceneOf& scene_of, const std::vector<Variable>& variables, const Target& target,
                           const TuningOptions& options);
