@@ -92,7 +92,8 @@ void map_solids(const MapOptions& options, MapOutcome& outcome, MPI_Comm communi
     warn_of_what_maps_lack(scene);
   }
   if (options.estimates == eigenmodes::Estimates::all && !scene.joints.empty()) {
-    throw std::runtime_error("--estimate is for bodies without joints: leave it out");
+    throw std::runtime_error(fmt::format("--estimate is for bodies without joints, and {} has one: leave it out",
+                                         scene.bodies[scene.joints.front().surfaces.front().body].name));
   }
   if (options.in_air) {
     refuse_air_mass_of_large_amplitudes(scene);

@@ -99,6 +99,9 @@ void read_bow(Section& section, Scene& scene) {
   Bow& bow = scene.bows.emplace_back();
   read_patch(section, bow, scene.bodies);
   read_bowing(section, bow, positive_seconds.at_most);
+  if (!bow.load.points.empty() && bow.load.largest() <= 0.0) {
+    section.mistakes().add(*section.find("load"), "is zero; a bow needs a load that presses it on (N)");
+  }
   section.optional("start", bow.start, Range{.at_least = 0.0, .at_most = positive_seconds.at_most, .unit = "s"});
   bow.duration = infinity;
   section.optional("duration", bow.duration, positive_seconds);

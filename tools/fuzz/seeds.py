@@ -93,6 +93,9 @@ def put_tone(folder):
         file.writeframes(b"".join((i * 997 % 20000 - 10000).to_bytes(2, "little", signed=True) for i in range(2000)))
 
 
+LAST_MADE = "velocities.h5"  # of what make_stored() makes
+
+
 def make_stored(made, program, environment):
     """Makes small HDF5 files of each kind, and a voice."""
     deck = HOME / "ctest/app/decks/simple.yaml"
@@ -105,13 +108,14 @@ def make_stored(made, program, environment):
     for command, *options in ["run", *recorded], ["map", "--modes", "3"], ["radiate", "--modes", "1"]:
         call(command, deck, "--output-folder", made, *options)
     call("export", next(made.glob("*.map.h5")), "--voice", made / "small.voice")
-    with h5py.File(made / "velocities.h5", "w") as file:
+    with h5py.File(made / LAST_MADE, "w") as file:
         file["frequency"], file["position"], file["velocity"] = [800.0], numpy.eye(3), numpy.ones((1, 3, 3, 2))
 
 
 def put_stored(folder, extension, made, largest, program, environment):
     """Copies files of one extension that the program makes. They are made once, in the folder `made`."""
-    if not made.exists():
+    if not (made / LAST_MADE).exists():
+        shutil.rmtree(made, ignore_errors=True)
         make_stored(made, program, environment)
     for path in made.rglob(f"*{extension}"):
         if path.stat().st_size < largest:

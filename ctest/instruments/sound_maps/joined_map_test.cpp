@@ -81,7 +81,8 @@ double sound_level(const std::vector<double>& sound) {
   return 10 * std::log10(std::inner_product(sound.begin(), sound.end(), sound.begin(), 0.0));
 }
 
-void expect_alike(const SoundMap& joined, const SoundMap& whole, double cents) {
+/// @param cents, decibels  by which pitches and levels may differ
+void expect_alike(const SoundMap& joined, const SoundMap& whole, double cents, double decibels) {
   ASSERT_EQ(joined.modes(), whole.modes());
   EXPECT_NEAR(joined.mass, whole.mass, 1e-9 * whole.mass);
   EXPECT_LT((joined.centre - whole.centre).norm(), 1e-9);
@@ -89,12 +90,12 @@ void expect_alike(const SoundMap& joined, const SoundMap& whole, double cents) {
     const double pitch = 1200 * std::log2(joined.frequency[mode] / whole.frequency[mode]);
     const double loss = 10 * std::log10(joined.radiation_decay[mode] / whole.radiation_decay[mode]);
     EXPECT_NEAR(pitch, 0, cents) << mode;
-    EXPECT_NEAR(loss, 0, 0.3) << mode;
+    EXPECT_NEAR(loss, 0, decibels) << mode;
     EXPECT_NEAR(joined.material_decay[mode], whole.material_decay[mode], 1e-3 * whole.material_decay[mode]) << mode;
   }
   for (std::size_t listener = 0; listener < whole.listeners.size(); ++listener) {
     const double louder = sound_level(blow_sound(joined, listener)) - sound_level(blow_sound(whole, listener));
-    EXPECT_NEAR(louder, 0, 0.3) << listener;
+    EXPECT_NEAR(louder, 0, decibels) << listener;
   }
 }
 
@@ -118,7 +119,7 @@ ON_RANKS(1);
 TEST(JoinedMap, ABarThatIsCutAndTiedSoundsAsInOnePiece) {
   const SoundMap tied = heard_map(tied_bar(4), Air::sphere_patches, 3);
   const SoundMap whole = heard_map(one_bar(1), Air::sphere_patches, 3);
-  expect_alike(tied, whole, 1.5);  // the tie gives way by b/(100 L)
+  expect_alike(tied, whole, 1.5, 0.3);  // the tie gives way by b/(100 L)
 }
 
 TEST(JoinedMap, ABarThatIsGluedOfTwoSoundsAsInOnePiece) {
@@ -129,7 +130,7 @@ TEST(JoinedMap, ABarThatIsGluedOfTwoSoundsAsInOnePiece) {
       "joints: {glue: {between: [upper.bottom, lower.top], stiffness: {normal: 1.0e15, tangential: 1.0e15}}}"));
   const scene::Scene whole = one_bar(2);
   for (const Air air : {Air::boundary_elements, Air::sphere_patches}) {
-    expect_alike(heard_map(glued, air, 3), heard_map(whole, air, 3), 1.0);
+    expect_alike(heard_map(glued, air, 3), heard_map(whole, air, 3), 0.5, 0.03);
   }
 }
 

@@ -1,6 +1,8 @@
 #include "idiophone/instruments/sound_maps/air_mass.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
+
 #include <stdexcept>
 
 #include "exposed_surface.hpp"
@@ -23,8 +25,9 @@ harmonic::DryModes dry_modes(const SoundMap& map) {
 std::size_t add_air_mass(SoundMap& map) {
   if (!is_closed(map.triangles)) {
     throw std::runtime_error(
-        "--in-air needs a closed surface, and that of joined bodies is open where their meshes do not meet vertex by "
-        "vertex: leave it out, or make the meshes match");
+        fmt::format("--in-air needs a closed surface, and that of {} and the bodies joined to it is open where their "
+                    "meshes do not meet vertex by vertex: leave it out, or make the meshes match",
+                    map.body));
   }
   const harmonic::DryModes dry = dry_modes(map);
   const auto wet = harmonic::wet_modes(dry, {.density = map.air_density, .speed = map.air_speed});

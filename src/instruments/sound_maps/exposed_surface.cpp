@@ -1,6 +1,8 @@
 #include "exposed_surface.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <numeric>
 #include <utility>
@@ -31,18 +33,35 @@ std::vector<Edge> open_edges(std::span<const std::array<Index, 3>> triangles) {
 
 /// [vertices] The number of the first vertex at open edges that lies at the same place; elsewhere the vertex's own.
 std::vector<Index> joined_vertices(const mesh::Part& part, const std::vector<mesh::Triangle>& triangles) {
-  constexpr double same_place = 1e-6;  // lengths of an open edge there
+  constexpr double same_place = 1e-6;  // lengths of the shortest open edge there
   const auto place = [&](Index vertex) -> const Vector3& { return part.reference[part.vertices[vertex]]; };
-  std::map<Index, double> reach;  // of the vertices at open edges, m
-  for (const auto& [from, to] : open_edges(triangles)) {
-    reach[from] = reach[to] = same_place * (place(to) - place(from)).norm();
-  }
   std::vector<Index> joined(part.vertices.size());
   std::iota(joined.begin(), joined.end(), 0);
-  for (auto one = reach.begin(); one != reach.end(); ++one) {
-    for (auto other = std::next(one); other != reach.end(); ++other) {
-      if ((place(other->first) - place(one->first)).norm() <= one->second) {
-        joined[other->first] = std::min(joined[other->first], joined[one->first]);
+  const std::vector<Edge> open = open_edges(triangles);
+  if (open.empty()) {
+    return joined;
+  }
+  std::map<Index, double> reach;  // of the vertices at open edges, m
+  for (const auto& [from, to] : open) {
+    for (const Index vertex : {from, to}) {
+      double& shortest = reach.try_emplace(vertex, std::numeric_limits<double>::infinity()).first->second;
+      shortest = std::min(shortest, same_place * (place(to) - place(from)).norm());
+    }
+  }
+  Eigen::AlignedBox3d box;
+  for (const auto& [vertex, distance] : reach) {
+    box.extend(place(vertex));
+  }
+  Eigen::Index axis = 0;  // along which the vertices lie farthest apart, so that few have nearly the same coordinate
+  box.sizes().maxCoeff(&axis);
+  std::vector<std::pair<Index, double>> in_order(reach.begin(), reach.end());
+  std::ranges::stable_sort(in_order, {}, [&](const auto& vertex) { return place(vertex.first)[axis]; });
+  for (auto one = in_order.begin(); one != in_order.end(); ++one) {
+    const Vector3& here = place(one->first);
+    const double last = here[axis] + one->second;
+    for (auto other = std::next(one); other != in_order.end() && place(other->first)[axis] <= last; ++other) {
+      if ((place(other->first) - here).norm() <= one->second) {
+        joined[one->first] = joined[other->first] = std::min(joined[other->first], joined[one->first]);
       }
     }
   }

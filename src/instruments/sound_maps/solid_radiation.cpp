@@ -23,8 +23,11 @@ double boundary_element_time(const SoundMap& map) {
 SolidRadiation solid_radiation(const SoundMap& map, const scene::Radiation& radiation,
                                std::optional<SurfaceModel> wanted) {
   if (!is_closed(map.triangles)) {
-    const std::string open =
-        "the surface is open at the borders of joints, as the meshes do not meet vertex by vertex there";
+    const std::string open = fmt::format(
+        "the surface of {} and the bodies joined to it is open at the borders of joints, as the meshes do not meet "
+        "vertex "
+        "by vertex there",
+        map.body);
     if (wanted == SurfaceModel::boundary_elements) {
       throw std::invalid_argument("boundary elements: " + open + "; leave out --radiation, or make the meshes match");
     }
