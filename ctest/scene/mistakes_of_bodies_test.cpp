@@ -246,6 +246,8 @@ TEST_F(MistakenBodies, Bows) {
       {"loads:\n",
        "loads:\n  rub: {type: bow, at: [0, 0, 0], direction: [1, 0, 0], speed: 1, load: 1, friction: {sliding: 0.9}}\n",
        "deck.yaml:8:86: loads.rub.friction: the coefficient of sliding, 0.9, is above that of sticking, 0.8"},
+      {"loads:\n", "loads:\n  rub: {type: bow, at: [0, 0, 0], direction: [1, 0, 0], speed: 1, load: 0}\n",
+       "deck.yaml:8:73: loads.rub.load: is zero; a bow needs a load that presses it on (N)"},
   });
 }
 
