@@ -53,6 +53,29 @@ class Falling(program.TestCase):
         self.assertTrue(slid["rests"])
         self.assertAlmostEqual(slid["way"] / (1.5 ** 2 / (2 * 0.3 * GRAVITY)), 1, delta=0.02)
 
+    def test_what_slides_does_not_roll(self):
+        events = self.seen["slid"]["events"]
+        self.assertEqual(len({event["contact"] for event in events}), 4)  # corners
+        for event in events:
+            self.assertLess(event["roll"], 0.01 * event["slip"])
+
+    def test_a_ball_that_rolls_has_one_contact_and_its_speed(self):
+        steps = self.seen["rolled"]["steps"]
+        events = [event for step in steps for event in step]
+        self.assertGreater(len([step for step in steps if step]), 15)
+        self.assertEqual(len({event["contact"] for event in events}), 1)
+        for event in events:
+            self.assertGreater(event["roll"], 10 * event["slip"])
+        self.assertAlmostEqual(events[0]["roll"], 1, delta=0.01)  # m/s
+
+    def test_a_second_drop_begins_where_the_bodies_lie(self):
+        twice = self.seen["twice"]
+        self.assertGreater(min(twice["fallen"]), 0.1)
+        self.assertGreater(twice["raised"][0], 0.1)
+        self.assertLess(twice["raised"][0], 0.3)  # 0.2 m up, and turned by 0.2 rad at most about each axis
+        self.assertLess(twice["raised"][1], 1e-6)
+        self.assertLess(twice["landed"][1], 1e-3)
+
     def test_a_box_bounces_as_high_as_it_should(self):
         self.assertAlmostEqual(self.seen["bounced"] / (0.6 ** 2 * 0.5), 1, delta=0.05)
 

@@ -5,9 +5,11 @@ import vm from "node:vm";
 
 const source = name => fs.readFileSync(new URL(`../../src/${name}.js`, import.meta.url), "utf8");
 const files = ["foundation/web/page/bodies", "foundation/web/page/camera",
-               ...["matrices", "hull", "rigid_body", "touching", "impulses", "falling"].map(name => `instruments/explorer/page/${name}`)];
-const {RigidBody, Hull, Falling, plus, scaled, applied, cross, turnedOn, rowsOf} = vm.runInNewContext(
-  `${files.map(source).join("\n")}\n({RigidBody, Hull, Falling, plus, scaled, applied, cross, turnedOn, rowsOf})`);
+               ...["matrices", "hull", "rigid_body", "touching", "impulses", "falling", "drop"].map(name => `instruments/explorer/page/${name}`)];
+const names = "RigidBody, Hull, Falling, Drop, lift, plus, scaled, applied, cross, turnedOn, rowsOf";
+const silent = "const bodies = []; class ContactSounds { step() { return []; } }";
+const {bodies: ofThePage, RigidBody, Hull, Falling, Drop, lift, plus, scaled, applied, cross, turnedOn, rowsOf} =
+  vm.runInNewContext(`${silent}\n${files.map(source).join("\n")}\n({bodies, ${names}})`);
 const step = 1 / 240;  // s
 
 /// The surface of a box about the origin, in squares; `n` to an edge.
@@ -30,6 +32,12 @@ function box(sizes, n = 6) {
   return {vertices: new Float32Array(vertices), triangles: new Uint32Array(triangles)};
 }
 
+/// Of a radius of 0.05 m: a box blown up.
+function ball() {
+  const {vertices, triangles} = box([2, 2, 2]), radii = Array.from(vertices, (_, i) => Math.hypot(...vertices.subarray(i - i % 3, i - i % 3 + 3)));
+  return {vertices: vertices.map((part, i) => 0.05 * part / radii[i]), triangles};
+}
+
 function boxAt(sizes, mass, position, {turn = [0, 0, 0], ...motion} = {}) {
   const body = Object.assign(new RigidBody(box(sizes), mass), {position, ...motion});
   body.face(turnedOn(body.turn, turn));
@@ -44,15 +52,21 @@ const lowest = body => Math.min(...body.hull.points.map(point => body.toRoom(poi
 
 /// Until all rests, or for a time (s): how the energy grew in any step, over that at the beginning; how deep a body was in the ground.
 function run(falling, time) {
-  const begin = energy(falling), told = {grown: 0, deepest: 0, events: 0, seconds: 0};
-  for (let before = begin; told.seconds < time && !falling.isAtRest; told.seconds += step) {
-    told.events += falling.step(step).length;
+  const begin = energy(falling), seen = {grown: 0, deepest: 0, events: 0, seconds: 0};
+  for (let before = begin; seen.seconds < time && !falling.isAtRest; seen.seconds += step) {
+    seen.events += falling.step(step).length;
     const now = energy(falling);
-    told.grown = Math.max(told.grown, (now - before) / Math.abs(begin));
-    told.deepest = falling.bodies.reduce((most, body) => Math.max(most, falling.ground - lowest(body)), told.deepest);
+    seen.grown = Math.max(seen.grown, (now - before) / Math.abs(begin));
+    seen.deepest = falling.bodies.reduce((most, body) => Math.max(most, falling.ground - lowest(body)), seen.deepest);
     before = now;
   }
-  return {...told, rests: falling.isAtRest};
+  return {...seen, rests: falling.isAtRest};
+}
+
+/// The events of each step for a time (s).
+function told(falling, time) {
+  return Array.from({length: Math.round(time / step)}, () =>
+    falling.step(step).map(({contact, impulse, slip, roll}) => ({contact, impulse, slip: Math.hypot(...slip), roll})));
 }
 
 const still = {weight: 0};
@@ -95,7 +109,14 @@ const settled = [[0.4, 0.7, 0.1], [1.3, 0.2, 2.0], [0, 0.785, 0]].map(turn => {
 
 const slid = () => {
   const body = boxAt([0.2, 0.2, 0.05], 1, [0, 0, 0.025], {velocity: [1.5, 0, 0]});
-  return {...run(new Falling([body], 0, {friction: 0.3}), 5), way: body.position[0]};
+  const falling = new Falling([body], 0, {friction: 0.3}), events = told(falling, 0.4);
+  return {...run(falling, 5), way: body.position[0], events: events.flat()};
+};
+
+/// Without slip at the beginning.
+const rolled = () => {
+  const body = Object.assign(new RigidBody(ball(), 1), {position: [0, 0, 0.05], velocity: [1, 0, 0], spin: [0, 20, 0]});
+  return {steps: told(new Falling([body], 0), 1)};
 };
 
 const bounced = () => {
@@ -132,5 +153,26 @@ const impacts = () => {
   return null;
 };
 
-console.log(JSON.stringify({inertia, entered: entered(), hit: hit(), headOn: headOn(), spun: spun(), settled, slid: slid(), bounced: bounced(), tunnelled, heap: heap(),
-                            impacts: impacts()}));
+/// How far a vertex of each body is from where it lay, m, once it lies, as the next drop of the first body begins, and when that is over.
+const twice = () => {
+  ofThePage.push(...[[0, 0, 0.3], [1, 0, 0.3]].map(at => {  // about its middle
+    const {vertices, triangles} = box([0.3, 0.2, 0.1]);
+    return {vertices: vertices.map((part, i) => part + at[i % 3]), triangles, mass: 1};
+  }));
+  const fall = (poses, start) => {
+    const drop = new Drop(null, poses, start, 0, 0.4, 48000), begin = drop.poses();
+    while (!drop.isOver) drop.step();
+    return [begin, drop.poses()];
+  };
+  const askew = rigid => rigid.forEach((body, n) => body.face(turnedOn(body.turn, [2 + n, 0.3, 0.5])));
+  const [home, lying] = fall([], askew), [raised, landed] = fall(lying, ([first]) => lift([first], 0.2));
+  const corner = ({vertices}, [a, b, c, , d, e, f, , g, h, i, , x, y, z]) => {
+    const [u, v, w] = vertices;
+    return [a * u + d * v + g * w + x, b * u + e * v + h * w + y, c * u + f * v + i * w + z];
+  };
+  const way = (from, to) => ofThePage.map((body, n) => Math.hypot(...plus(corner(body, to[n]), scaled(corner(body, from[n]), -1))));
+  return {fallen: way(home, lying), raised: way(lying, raised), landed: way(lying, landed)};
+};
+
+console.log(JSON.stringify({inertia, entered: entered(), hit: hit(), headOn: headOn(), spun: spun(), settled, slid: slid(), rolled: rolled(), bounced: bounced(), tunnelled, heap: heap(),
+                            impacts: impacts(), twice: twice()}));

@@ -9,10 +9,12 @@ const surfaceOf = ({young = 2e11, poisson = 0.3}) => ({young, poisson, radius: 5
 
 class Drop {
   /// @param code    loadedCode()
+  /// @param poses   where the bodies lie, as View has it
   /// @param start   is called with the rigid bodies, and puts them where they begin
   /// @param ground  m
-  constructor(code, start, ground, bounce, rate) {
+  constructor(code, poses, start, ground, bounce, rate) {
     this.rigid = bodies.map(body => new RigidBody(body, body.mass));
+    this.rigid.forEach((body, index) => poses[index] && layDown(body, poses[index]));
     start(this.rigid);
     this.falling = new Falling(this.rigid, ground, {bounce});
     this.sounds = new ContactSounds(code, [stone, ...bodies.map(surfaceOf)], rate);
@@ -31,11 +33,23 @@ class Drop {
     return forces.flatMap(force => strikesOf(force, this.rigid));
   }
 
-  /// Of a body, as View has it.
-  pose(index) {
-    const {rows, position, origin} = this.rigid[index], [x, y, z] = transposed(rows), at = minus(position, applied(rows, origin));
-    return new Float32Array([...x, 0, ...y, 0, ...z, 0, ...at, 1]);
+  /// Of the bodies, as View has it.
+  poses() {
+    return this.rigid.map(poseOf);
   }
+}
+
+/// As View has it.
+function poseOf({rows, position, origin}) {
+  const [x, y, z] = transposed(rows), at = minus(position, applied(rows, origin));
+  return new Float32Array([...x, 0, ...y, 0, ...z, 0, ...at, 1]);
+}
+
+/// Puts a body where it has such a pose.
+function layDown(body, pose) {
+  const [x, y, z, at] = [0, 4, 8, 12].map(first => pose.subarray(first, first + 3));
+  body.face(turnOf(transposed([x, y, z])));
+  body.position = plus(at, applied(body.rows, body.origin));
 }
 
 /// Higher, and a little askew.

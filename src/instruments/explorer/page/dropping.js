@@ -27,7 +27,7 @@ class Dropping {
     this.end();
     const {view, chosen} = this.explorer, ways = {chosen: rigid => lift([rigid[chosen]], this.height), all: rigid => lift(rigid, this.height),
                                                   heap: rigid => heap(rigid, view.groundHeight() + this.height)};
-    this.drop = new Drop(this.code, ways[element("drop-what").value], view.groundHeight(), this.bounce, context.sampleRate);
+    this.drop = new Drop(this.code, view.poses, ways[element("drop-what").value], view.groundHeight(), this.bounce, context.sampleRate);
     this.context = context;
     this.begin = context.currentTime;
   }
@@ -35,13 +35,23 @@ class Dropping {
   /// To be called for each picture.
   advance() {
     if (!this.drop) return;
+    try {
+      this.move();
+    } catch (error) {
+      this.drop = this.code = null;  // what failed may be the C++: the next drop loads it again
+      tell(`The drop has ended: ${error.message}`);
+    }
+  }
+
+  /// By the steps since the last picture.
+  move() {
     const {drop, context: {currentTime}, explorer: {view, sound}} = this, strikes = [];
     const steps = Math.floor((currentTime - this.begin) / dropStep) - drop.steps, late = Math.max(0, steps - mostDropSteps);
     this.begin += late * dropStep;
     const first = Math.round((this.begin + dropLatency) * drop.rate);
     for (let n = late; n < steps && !drop.isOver; ++n) strikes.push(...drop.step().map(strike => ({...strike, start: strike.start + first})));
     if (strikes.length) sound.send({strikes});
-    bodies.forEach((_, index) => view.poses[index] = drop.pose(index));
+    view.poses = drop.poses();
     view.changed = true;
     if (drop.isOver) this.end();
   }

@@ -3,13 +3,15 @@
 const gravity = 9.81;        // m/s^2
 const restingWay = 0.05;     // of the reach of a body: what does not go farther
 const restingTime = 0.5;     // in so many seconds rests
+const oneContact = 0.7;      // of the reach of a body: what touches nearer to another place is the same contact
+const rememberedTime = 0.1;  // s, that a contact may let go and stay the same
 
 class Falling {
-  /// @param bodies  RigidBody; at most 2^20
+  /// @param bodies  RigidBody
   /// @param ground  its height, m; -Infinity: none
   /// @param bounce, friction  as of applyImpulses()
   constructor(bodies, ground, {bounce = 0.4, friction = 0.4, weight = gravity} = {}) {
-    Object.assign(this, {bodies, ground, bounce, friction, weight, still: 0});
+    Object.assign(this, {bodies, ground, bounce, friction, weight, still: 0, time: 0, touching: [], numbers: 0});
     this.before = bodies.map(({position, rows}) => ({position, rows}));
     this.skin = bodies.reduce((least, {reach}) => Math.min(least, 0.02 * reach), 2e-3);
   }
@@ -36,15 +38,27 @@ class Falling {
     resistRolling(contacts, duration);
     for (const body of this.bodies) body.advance(duration);
     separate(contacts);
+    this.time += duration;
+    this.touching = this.touching.filter(({last}) => this.time - last < rememberedTime);
     this.still = this.rests() ? this.still + duration : 0;
     return contacts.filter(({impulse}) => impulse > 0).map(contact => this.eventOf(contact));
   }
 
-  /// As include/idiophone/instruments/touching/contact_events.hpp has it. Points in one eighth of a body touch as one contact.
-  eventOf({owner, other, point, place, normal, impulse, mass, moment, depth, slip}) {
-    const number = body => body ? this.bodies.indexOf(body) : -1, eighth = point.reduce((key, part) => 2 * key + (part > 0 ? 1 : 0), 0);
-    const carried = minus(owner.velocity, other?.velocity ?? [0, 0, 0]);
-    return {contact: (number(owner) * (this.bodies.length + 1) + number(other) + 1) * 8 + eighth, bodies: [number(owner), number(other)],
-            point: place, normal, impulse, slip, roll: lengthOf(alongSurface(carried, normal)), mass, moment: depth > 0 ? 0 : moment};
+  /// Of the contact of the same two bodies that was nearest a short time ago, as seen from the owner's centre: so a body that rolls
+  /// or slides has the same contact all the time, and the corners of a box have one each.
+  numberOf({owner, other, arms: [arm]}) {
+    const away = known => lengthOf(minus(known.arm, arm)), near = this.touching.filter(
+      known => known.owner === owner && known.other === other && away(known) < oneContact * owner.reach);
+    let nearest = near.sort((a, b) => away(a) - away(b))[0];
+    if (!nearest) this.touching.push(nearest = {owner, other, number: this.numbers++});
+    Object.assign(nearest, {arm, last: this.time});
+    return nearest.number;
+  }
+
+  /// As include/idiophone/instruments/touching/contact_events.hpp has it.
+  eventOf(contact) {
+    const {owner, other, place, normal, impulse, slip, roll, mass, moment, depth} = contact;
+    const pair = [owner, other].map(body => this.bodies.indexOf(body));  // -1: the ground
+    return {contact: this.numberOf(contact), bodies: pair, point: place, normal, impulse, slip, roll, mass, moment: depth > 0 ? 0 : moment};
   }
 }

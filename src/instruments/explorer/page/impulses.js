@@ -3,8 +3,8 @@
 const rounds = 10;
 const slowestBounce = 0.15;  // m/s: what touches more slowly stays
 
-/// Gives the bodies the impulses of a step. Each contact gets its impulse along the normal (N s), the mass that this moves (kg), and
-/// the velocity of its owner's surface over the other's along the surfaces, `slip` (m/s).
+/// Gives the bodies the impulses of a step. Each contact gets its impulse along the normal (N s), the mass that this moves (kg), the
+/// velocity of its owner's surface over the other's along the surfaces, `slip` (m/s), and its speed by rolling, `roll` (m/s).
 /// @param contacts  findContacts()
 /// @param bounce    speed after an impact over that before
 /// @param friction  coefficient
@@ -22,13 +22,20 @@ function applyImpulses(contacts, bounce, friction) {
       repel(contact);
     }
   }
-  for (const contact of contacts) contact.slip = alongSurface(velocityOf(contact), contact.normal);
+  for (const contact of contacts) Object.assign(contact, {slip: alongSurface(velocityOf(contact), contact.normal), roll: rollOf(contact)});
 }
 
 /// Of the owner over the other, m/s.
 function velocityOf({owner, other, arms}) {
   const velocity = owner.velocityAt(arms[0]);
   return other ? minus(velocity, other.velocityAt(arms[1])) : velocity;
+}
+
+/// How fast the place where the owner touches goes along the other, m/s: as that of a ball, whose centre is as high, on a plane.
+/// Turning about the normal is no rolling.
+function rollOf({owner, other, arms, normal}) {
+  const spin = minus(owner.spin, other?.spin ?? [0, 0, 0]);
+  return lengthOf(alongSurface(spin, normal)) * Math.abs(dot(arms[0], normal));
 }
 
 /// Two directions at right angles to a unit vector and to each other.

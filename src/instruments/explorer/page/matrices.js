@@ -21,6 +21,14 @@ function rowsOf([x, y, z, w]) {
           [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)]];
 }
 
+/// The quaternion of such rows: the largest of the four multiples of it that they give.
+function turnOf([[a, b, c], [d, e, f], [g, h, i]]) {
+  const multiples = [[1 + a - e - i, b + d, c + g, h - f], [b + d, 1 - a + e - i, f + h, c - g],
+                     [c + g, f + h, 1 - a - e + i, d - b], [h - f, c - g, d - b, 1 + a + e + i]];
+  const sizes = multiples.map(turn => Math.hypot(...turn)), largest = sizes.indexOf(Math.max(...sizes));
+  return multiples[largest].map(part => part / sizes[largest]);
+}
+
 /// A quaternion turned on by an angle about an axis: the length of `by`, rad, and its direction, in the room.
 function turnedOn([x, y, z, w], by) {
   const angle = lengthOf(by), part = angle > 1e-9 ? Math.sin(0.5 * angle) / angle : 0.5;
