@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 namespace idiophone::page_sound {
 
@@ -15,8 +18,12 @@ touching::ContactEvent impact(std::uint64_t contact, double impulse) {
   return {.contact = contact, .normal = {0, 0, 1}, .impulse = impulse, .mass = 0.1, .moment = 0.5};
 }
 
-PageContacts contacts(std::size_t most_forces) {
-  return {{touching::Surface{}}, samples_per_second, 2, most_forces, 1};
+PageContacts contacts(std::size_t most_impacts) {
+  return {{touching::Surface{}}, samples_per_second, 4, most_impacts, 1};
+}
+
+bool is_stroke(const touching::ContactForce& force) {
+  return force.impulse == std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -35,17 +42,36 @@ TEST(PageContacts, LeavesOutTheWeakestImpacts) {
   EXPECT_EQ(contacts(9).step(events, 100, duration).size(), 5);
 }
 
-TEST(PageContacts, WhatSlidesComesBeforeImpacts) {
+TEST(PageContacts, StrokesAndImpactsAreLimitedApart) {
   PageContacts sliding = contacts(1);
-  touching::ContactEvent slide = impact(7, 0.01);
-  slide.slip = {0.4, 0, 0};
-  int strokes = 0;
+  std::ptrdiff_t pieces = 0;
   for (int step = 0; step < 48; ++step) {
-    const auto forces = sliding.step(std::vector{slide, impact(100 + step, 1.0)}, step * 200, duration);
-    ASSERT_EQ(forces.size(), 1);
-    strokes += forces[0].impulse == std::numeric_limits<double>::infinity() ? 1 : 0;
+    std::vector<touching::ContactEvent> events{impact(100 + 2 * step, 1.0), impact(101 + 2 * step, 2.0)};
+    for (std::uint64_t contact = 0; contact < 6; ++contact) {  // more than may slide at once
+      events.push_back(impact(contact, 0.01));
+      events.back().slip = {0.4, 0, 0};
+    }
+    const auto forces = sliding.step(events, step * 800, 4 * duration);  // more than a piece of 512 audio samples
+    const auto strokes = std::ranges::count_if(forces, is_stroke);
+    if (step > 0) {  // when what slides begins, it hits
+      ASSERT_EQ(std::ssize(forces), strokes + 1);
+      EXPECT_EQ(forces.back().impulse, 2.0);
+    }
+    pieces += strokes;
   }
-  EXPECT_GE(strokes, 17);  // a piece in each 512 of 9600 audio samples, after the first step
+  EXPECT_NEAR(static_cast<double>(pieces), 4 * 47 * 800 / 512.0, 4);
+}
+
+TEST(PageContacts, LeavesOutWhatHasNoMass) {
+  std::vector<touching::ContactEvent> events;
+  for (const double mass : {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity(), 0.0,
+                            touching::ContactEvent::unknown, 0.1}) {
+    events.push_back(impact(events.size(), 0.1 + 0.1 * static_cast<double>(events.size())));
+    events.back().mass = mass;
+  }
+  const auto forces = contacts(9).step(events, 0, duration);
+  ASSERT_EQ(forces.size(), 1);
+  EXPECT_EQ(forces[0].impulse, 0.5);
 }
 
 }  // namespace idiophone::page_sound

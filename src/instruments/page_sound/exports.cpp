@@ -132,7 +132,7 @@ bool render(PageBody* body, std::size_t channels, double first, std::size_t samp
 
 /// Numbers: Young's modulus, Poisson's ratio, radius, height of the roughness, friction [surfaces x 5].
 IDIOPHONE_EXPORT("make_contacts")
-PageContacts* make_contacts(std::size_t surfaces, int rate, std::size_t most_strokes, std::size_t most_forces,
+PageContacts* make_contacts(std::size_t surfaces, int rate, std::size_t most_strokes, std::size_t most_impacts,
                             double seed) {
   Reader reader;
   std::vector<touching::Surface> made;
@@ -142,7 +142,7 @@ PageContacts* make_contacts(std::size_t surfaces, int rate, std::size_t most_str
       *part = reader.next();
     }
   }
-  return new PageContacts(std::move(made), rate, most_strokes, most_forces, static_cast<std::uint64_t>(seed));
+  return new PageContacts(std::move(made), rate, most_strokes, most_impacts, static_cast<std::uint64_t>(seed));
 }
 
 /// Numbers: contact, bodies, surfaces, point, normal, impulse, slip, roll, mass, moment of each event. Afterwards:

@@ -7,11 +7,11 @@ class ContactSounds extends Compiled {
   /// @param surfaces     young (Pa), poisson, radius (m), height (m, of the roughness), friction of each
   /// @param rate         audio samples per second
   /// @param mostStrokes  contacts that scrape or roll at once
-  /// @param mostForces   that begin in a step; the strongest are chosen
-  constructor(code, surfaces, rate, {mostStrokes = 4, mostForces = 4, seed = 1} = {}) {
+  /// @param mostImpacts  that begin in a step; the strongest are chosen
+  constructor(code, surfaces, rate, {mostStrokes = 4, mostImpacts = 4, seed = 1} = {}) {
     super(code);
     this.give(...surfaces.map(surface => surfaceParts.map(part => surface[part])));
-    this.contacts = code.make_contacts(surfaces.length, rate, mostStrokes, mostForces, seed);
+    this.contacts = code.make_contacts(surfaces.length, rate, mostStrokes, mostImpacts, seed);
   }
 
   /// What contacts do from an audio sample on: bodies (the force on the second one is the opposite), start, place, direction, force.
