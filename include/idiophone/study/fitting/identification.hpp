@@ -66,7 +66,7 @@ struct FurtherSize {
   double factor = 1.0;         ///< by which one of its sides is longer than this specimen's
   Vector3 along;               ///< this side, of length 1
   Vector3 extents;             ///< of that specimen, m: its sides, descending
-  int lines = 0;               ///< to measure, the lowest ones: as many as here, but 10 to 20
+  int lines = 0;               ///< to measure: those of as many lowest modes as lines here, but 10 to 20 modes
   double highest = 0.0;        ///< of their frequencies, Hz
   double half_width = 0.0;     ///< of the constant's 95 % interval, from these lines alone
   bool is_determined = false;  ///< by them
