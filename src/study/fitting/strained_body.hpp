@@ -21,7 +21,8 @@ class StrainedBody {
   StrainedBody(const scene::Solids& solids, eigenmodes::MassMatrix mass);
 
   /// The same body with elements of one order less, for first fits that are a quarter of the work. None for orders
-  /// below 5, whose modes would be too far away, and for elements of one order only.
+  /// below 5, whose modes would be too far away, for elements of one order only, and for a body that is stretched or
+  /// reduced.
   /// @throws as the constructor
   [[nodiscard]] std::optional<StrainedBody> coarser() const;
 
@@ -91,6 +92,7 @@ class StrainedBody {
   solid::StiffnessMatrix stiffness_;  ///< of their material
   StrainProducts products_;           ///< of their shapes
   bool is_reduced_ = false;           ///< to these modes
+  bool is_stretched_ = false;         ///< so that the deck's mesh is that of another body
   Eigen::MatrixXd factors_;           ///< the shapes of the last model are shapes_ times these
 };
 

@@ -79,6 +79,7 @@ struct Identification {
   std::vector<MissingModes> missing;          ///< ascending
   std::vector<FurtherLine> further;           ///< that would determine the constants that are not; by constant
   std::vector<FurtherSize> sizes;             ///< for those that no further line determines; one for each at most
+  std::vector<std::string> refused_sizes;     ///< sizes that could not be looked at, and why
   double looked_up_to = 0.0;                  ///< Hz, the highest mode among which they were looked for; 0: none were
   std::optional<double> fitted_rms;           ///< root of the mean square of the fitted lines' cents
   std::optional<double> tested_rms;           ///< of the others'; none if there are none
