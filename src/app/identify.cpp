@@ -94,6 +94,12 @@ void warn_of_gaps(const Identification& found) {
   }
 }
 
+void warn_of_refused_sizes(const Identification& found) {
+  for (const std::string& size : found.refused_sizes) {
+    spdlog::warn("another size of the specimen was not looked at, {}", size);
+  }
+}
+
 /// Where the mesh errs by more than the measurement.
 void warn_of_the_mesh(const Identification& found) {
   const auto worst = std::ranges::max_element(found.lines, {}, &AssignedLine::mesh_error);
@@ -140,6 +146,7 @@ int identify(const IdentifyOptions& options) {
                               .watch = watch_by(progress)});
   }();
   warn_of_gaps(found);
+  warn_of_refused_sizes(found);
   warn_of_the_mesh(found);
   if (options.style == Style::json) {
     print_answer(identification_facts(found));

@@ -39,6 +39,15 @@ TEST(FurtherSizes, AStretchedBodyIsTheBodyOfThatSize) {
   EXPECT_NEAR(stretched.volume(), meshed.volume(), 1e-12);
 }
 
+// The deck's mesh of a lower order would be that of the body before.
+TEST(FurtherSizes, AStretchedBodyHasNoCoarserMesh) {
+  scene::Scene scene = wooden(plate_sides);
+  scene.bodies[0].element = element::hex(5, 5);
+  const StrainedBody body = strained(scene);
+  EXPECT_TRUE(body.coarser().has_value());
+  EXPECT_FALSE(body.stretched(2, 1.5).coarser().has_value());
+}
+
 /// The unknowns of spruce as a deck has them.
 Expectation expected_of(const ElasticConstants& constants) {
   Expectation expected{unknowns(constants, spruce()), Eigen::VectorXd(constants.size())};
@@ -60,7 +69,8 @@ FurtherSize size_for_the_shear() {
   const StrainedBody body = strained(wooden(plate_sides));
   const Eigen::VectorXd widths = 1.96 * 0.2 * Eigen::VectorXd::Unit(9, 8);
   const std::vector<FurtherSize> sizes =
-      further_sizes({body, spruce(), constants, expected, by_chance, plate_uncertainty, plate_lines}, widths, [] {});
+      further_sizes({body, spruce(), constants, expected, by_chance, plate_uncertainty, plate_lines}, widths, [] {
+      }).named;
   EXPECT_EQ(sizes.size(), 1U);
   return sizes.empty() ? FurtherSize{} : sizes.front();
 }
@@ -118,10 +128,24 @@ TEST(FurtherSizes, NothingIsNamedForConstantsThatAreKnownBetter) {
     return further_sizes({body, spruce(), constants, expected, {1.0, 1.96}, 2.0, 6},
                          Eigen::VectorXd::Constant(constants.size(), width), [&] { ++solves; });
   };
-  EXPECT_TRUE(named(1e-6).empty());
+  EXPECT_TRUE(named(1e-6).named.empty());
   EXPECT_EQ(solves, 12);
-  EXPECT_TRUE(named(0).empty());
+  EXPECT_TRUE(named(0).named.empty());
   EXPECT_EQ(solves, 12);
+}
+
+// A sphere that is stretched along a side is none.
+TEST(FurtherSizes, NothingIsNamedForABodyThatDoesNotFillItsBox) {
+  scene::Scene scene = wooden(plate_sides);
+  scene.bodies[0].mesh.replace_filename("sphere.geo");
+  scene.bodies[0].parameters = {{"radius", 0.02}, {"size", 0.02}};
+  const ElasticConstants constants = elastic_constants(spruce(), {});
+  const StrainedBody body = strained(scene);
+  int solves = 0;
+  const FurtherSizes sizes = further_sizes({body, spruce(), constants, expected_of(constants), by_chance, 2.0, 6},
+                                           Eigen::VectorXd::Ones(9), [&] { ++solves; });
+  EXPECT_TRUE(sizes.named.empty());
+  EXPECT_EQ(solves, 0);
 }
 
 }  // namespace

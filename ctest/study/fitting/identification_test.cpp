@@ -218,6 +218,22 @@ TEST(Identify, AFurtherLineDeterminesWhatItIsNamedFor) {
   EXPECT_TRUE(more.further.empty());
 }
 
+// The median of all lines would be theirs.
+TEST(Identify, AFurtherLineIsNotAsUncertainAsFalseLines) {
+  const scene::Scene slender = bar_scene({0.3, 0.022, 0.02}, 0.1, 3);
+  Measurements measured = lines_of(slender, 2, 0, 4e3);
+  const Identification clean = identify(slender, measured, {});
+  const double first = measured.lines[0].frequency;
+  for (const double lower : {0.2, 0.25, 0.3}) {
+    measured.lines.push_back({.frequency = lower * first, .uncertainty = 90});
+  }
+  std::ranges::sort(measured.lines, {}, &Line::frequency);
+  const Identification with_false_lines = identify(slender, measured, {});
+  ASSERT_EQ(clean.further.size(), 1U);
+  ASSERT_EQ(with_false_lines.further.size(), 1U);
+  EXPECT_NEAR(with_false_lines.further[0].half_width / clean.further[0].half_width, 1, 1e-3);
+}
+
 TEST(Identify, OneLineAndAPair) {
   scene::Scene square = bar_scene({0.08, 0.02, 0.02}, 0.04, 4);
   square.materials = {aluminium};

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "confidence.hpp"
@@ -20,17 +21,22 @@ struct Specimen {
   const Expectation& expected;
   ResidualSpread residuals;
   double uncertainty = 0.0;  ///< of a line, cents; the errors of the mesh are added
-  int lines = 0;             ///< to measure, the lowest
+  int modes = 0;             ///< whose lines are to be measured, the lowest; of one frequency, they are one line
+};
+
+struct FurtherSizes {
+  std::vector<FurtherSize> named;    ///< by size
+  std::vector<std::string> refused;  ///< sizes that can't be held or solved, and why
 };
 
 /// Makes each of the three sides 4 and 2 times longer and shorter, and looks at the intervals that the lowest lines of
 /// these specimens would leave by themselves. For each constant, the size with the smallest interval counts if that is
 /// no more than half of the one that is known. The errors of the mesh are estimated only there, because that may take
-/// longer than the modes. A size at which the body can't be held or solved is passed over.
+/// longer than the modes. Of a body that fills less than three quarters of its box, nothing is named: a bell or a tube
+/// that is stretched along a side is none that could be had.
 /// @param widths  half-widths of the intervals of the unknowns that are known; 0 for those that are wanted no smaller
 /// @param watch   is called after each solution, and ends the search by an exception
-/// @return by size
-[[nodiscard]] std::vector<FurtherSize> further_sizes(const Specimen& specimen, const Eigen::VectorXd& widths,
-                                                     const std::function<void()>& watch);
+[[nodiscard]] FurtherSizes further_sizes(const Specimen& specimen, const Eigen::VectorXd& widths,
+                                         const std::function<void()>& watch);
 
 }  // namespace idiophone::fitting

@@ -66,14 +66,16 @@ void MaterialFit::look_further(Identification& result) {
     }
     is_promised_[static_cast<std::size_t>(k)] = width <= undetermined;
   }
-  constexpr int least_lines = 10, most_lines_of_a_size = 20;
+  constexpr int least_modes = 10, most_modes = 20;  // of a size
   Eigen::VectorXd left = half_widths(known, residuals, expected_, Eigen::MatrixXd::Identity(held.size(), held.size()));
   for (Eigen::Index k = 0; k < held.size(); ++k) {
     left[k] = is_promised_[static_cast<std::size_t>(k)] ? 0.0 : held[k] * left[k];
   }
-  result.sizes = further_sizes({body_, material_, constants_, expected_, residuals, usual_uncertainty(),
-                                std::clamp(static_cast<int>(measured_.size()), least_lines, most_lines_of_a_size)},
-                               left, [this] { note_solve(); });
+  FurtherSizes sizes = further_sizes({body_, material_, constants_, expected_, residuals, usual_uncertainty(),
+                                      std::clamp(static_cast<int>(measured_.size()), least_modes, most_modes)},
+                                     left, [this] { note_solve(); });
+  result.sizes = std::move(sizes.named);
+  result.refused_sizes = std::move(sizes.refused);
 }
 
 /// 1 for each constant that may change and is not determined, else 0. [constants]
@@ -87,10 +89,11 @@ Eigen::VectorXd MaterialFit::held_constants() const {
   return held;
 }
 
-/// The median of the measured lines', cents.
+/// The median of those of the fitted lines that have a mode, cents.
 double MaterialFit::usual_uncertainty() const {
   std::vector<double> uncertainties;
-  std::ranges::transform(measured_, std::back_inserter(uncertainties), &Line::uncertainty);
+  std::ranges::transform(pairs_, std::back_inserter(uncertainties),
+                         [this](const auto& pair) { return lines_[pair.first].uncertainty; });
   return median(std::move(uncertainties));
 }
 

@@ -71,13 +71,16 @@ StrainedBody StrainedBody::stretched(int side, double factor) const {
     node = stretch * node;
   }
   mesh.hash.clear();  // it is another mesh
-  return {std::move(body), material_, max_frequency_, mass_, std::move(mesh)};
+  StrainedBody result(std::move(body), material_, max_frequency_, mass_, std::move(mesh));
+  result.is_stretched_ = true;
+  return result;
 }
 
 std::optional<StrainedBody> StrainedBody::coarser() const {
   constexpr int least = 5;
   const auto [plane, thickness] = element::orders(body_.element);
-  if (is_reduced_ || !element::has_choice_of_orders(body_.element) || std::min(plane, thickness) < least) {
+  if (is_reduced_ || is_stretched_ || !element::has_choice_of_orders(body_.element) ||
+      std::min(plane, thickness) < least) {
     return {};
   }
   scene::Body body = body_;

@@ -66,7 +66,7 @@ struct FurtherSize {
   double factor = 1.0;         ///< by which one of its sides is longer than this specimen's
   Vector3 along;               ///< this side, of length 1
   Vector3 extents;             ///< of that specimen, m: its sides, descending
-  int lines = 0;               ///< to measure, the lowest ones: as many as here, but 10 to 20
+  int lines = 0;               ///< to measure: those of as many lowest modes as lines here, but 10 to 20 modes
   double highest = 0.0;        ///< of their frequencies, Hz
   double half_width = 0.0;     ///< of the constant's 95 % interval, from these lines alone
   bool is_determined = false;  ///< by them
@@ -79,6 +79,7 @@ struct Identification {
   std::vector<MissingModes> missing;          ///< ascending
   std::vector<FurtherLine> further;           ///< that would determine the constants that are not; by constant
   std::vector<FurtherSize> sizes;             ///< for those that no further line determines; one for each at most
+  std::vector<std::string> refused_sizes;     ///< sizes that could not be looked at, and why
   double looked_up_to = 0.0;                  ///< Hz, the highest mode among which they were looked for; 0: none were
   std::optional<double> fitted_rms;           ///< root of the mean square of the fitted lines' cents
   std::optional<double> tested_rms;           ///< of the others'; none if there are none
