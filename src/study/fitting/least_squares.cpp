@@ -1,10 +1,10 @@
-#include "idiophone/foundation/dense/nonlinear_least_squares.hpp"
+#include "least_squares.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <stdexcept>
 
-namespace idiophone::dense {
+namespace idiophone::fitting {
 
 namespace {
 
@@ -49,9 +49,9 @@ LeastSquares minimize(const Residuals& residuals, const Jacobian& jacobian, cons
   if (!first) {
     throw std::invalid_argument("least squares: the start is not allowed");
   }
-  LeastSquares now{start, *first, jacobian(start), 0};
+  LeastSquares now{start, *first, jacobian(start)};
   double damping = first_damping;
-  for (; now.iterations < stop.iterations; ++now.iterations) {
+  for (int iteration = 0; iteration < stop.iterations; ++iteration) {
     if (now.residuals.lpNorm<Eigen::Infinity>() <= stop.residual) {
       break;
     }
@@ -61,14 +61,9 @@ LeastSquares minimize(const Residuals& residuals, const Jacobian& jacobian, cons
     }
     const VectorXd next = now.point + step;
     const auto there = residuals(next);
-    const double before = now.residuals.squaredNorm(), after = there ? there->squaredNorm() : before;
-    if (after < before) {
-      now = {next, *there, jacobian(next), now.iterations};
+    if (there && there->squaredNorm() < now.residuals.squaredNorm()) {
+      now = {next, *there, jacobian(next)};
       damping = std::max(relaxation * damping, smallest_damping);
-      if (before - after < stop.reduction * before) {
-        ++now.iterations;
-        break;
-      }
     } else {
       damping = std::min(tightening * damping, largest_damping);
     }
@@ -76,4 +71,4 @@ LeastSquares minimize(const Residuals& residuals, const Jacobian& jacobian, cons
   return now;
 }
 
-}  // namespace idiophone::dense
+}  // namespace idiophone::fitting

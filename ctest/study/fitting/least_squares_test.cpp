@@ -1,11 +1,12 @@
-#include "idiophone/foundation/dense/nonlinear_least_squares.hpp"
+#include "least_squares.hpp"
+#include "ranks.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-namespace idiophone::dense {
+namespace idiophone::fitting {
 namespace {
 
 using Eigen::MatrixXd;
@@ -23,6 +24,8 @@ std::optional<VectorXd> valley(const VectorXd& point) {
 MatrixXd valley_slopes(const VectorXd& point) {
   return (Eigen::Matrix2d() << -20 * point[0], 10, -1, 0).finished();
 }
+
+ON_RANKS(1);
 
 TEST(LeastSquares, FindsTheEndOfACurvedValley) {
   const LeastSquares found = minimize(valley, valley_slopes, Vector2d(-1.2, 1), everywhere, {});
@@ -62,4 +65,4 @@ TEST(LeastSquares, OneResidualAndTwoUnknowns) {
 }
 
 }  // namespace
-}  // namespace idiophone::dense
+}  // namespace idiophone::fitting
