@@ -64,7 +64,7 @@ TEST_F(DeckReference, ShowsContactsAsTheyAre) {
 
 TEST_F(DeckReference, ShowsBowsAsTheyAre) {
   const Scene scene = read(replaced(plate, "loads:\n", block(4)));
-  EXPECT_EQ(scene.bows.at(0).load_at(1.0), 1.0);
+  EXPECT_EQ(scene.bows.at(0).load_at(1.0), 2.0);
 }
 
 TEST_F(DeckReference, ShowsGaugesAsTheyAre) {

@@ -70,4 +70,9 @@ TEST_F(Joints, AreRefusedBesideWhatTheyDoNotKnow) {
       "deck.yaml:8:27: loads.pull: a pluck cannot act on body 'plate', which has joints: use a pulse");
 }
 
+TEST_F(Joints, NeedBodiesThatCouldBeRead) {
+  const std::string no_bodies = replaced(plate, "bodies:\n", "bodies:\nbodies:\n");
+  EXPECT_NE(mistakes(no_bodies + glue("stiffness: rigid")), "no mistakes");
+}
+
 }  // namespace idiophone::scene

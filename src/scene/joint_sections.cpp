@@ -148,7 +148,7 @@ void refuse_plucks(const Scene& scene, std::size_t body, Mistakes& mistakes) {
 bool read_joints(Section& deck, Scene& scene) {
   Mistakes& mistakes = deck.mistakes();
   const std::size_t before = mistakes.count();
-  if (!deck.optional("joints", scene.joints, scene)) {
+  if (!deck.optional("joints", scene.joints, scene) || scene.bodies.empty()) {
     return false;
   }
   std::vector<std::size_t> joined;

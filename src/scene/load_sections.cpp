@@ -98,8 +98,9 @@ void read_wind(Section& section, Scene& scene) {
 void read_bow(Section& section, Scene& scene) {
   Bow& bow = scene.bows.emplace_back();
   read_patch(section, bow, scene.bodies);
+  const std::size_t before = section.mistakes().count();
   read_bowing(section, bow, positive_seconds.at_most);
-  if (!bow.load.points.empty() && bow.load.largest() <= 0.0) {
+  if (section.mistakes().count() == before && bow.load.largest() == 0.0) {
     section.mistakes().add(*section.find("load"), "is zero; a bow needs a load that presses it on (N)");
   }
   section.optional("start", bow.start, Range{.at_least = 0.0, .at_most = positive_seconds.at_most, .unit = "s"});

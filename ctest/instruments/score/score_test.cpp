@@ -106,7 +106,7 @@ TEST_F(ScoreTest, BowsHaveCoursesOverTime) {
   EXPECT_EQ(found.speed.at(9.0), 0.2);
   EXPECT_EQ(found.load.at(1.0), 3.0);
   EXPECT_EQ(found.friction.sliding, 0.4);
-  EXPECT_EQ(found.friction.sticking, Friction().sticking);
+  EXPECT_EQ(found.friction.sticking, friction::Law().sticking);
   for (const char* wrong : {", friction: {sliding: 0.9}}", ", friction: {break_away: 1}}", ", duration: 61}",
                             ", load: -1}", ", mass: 1}"}) {
     EXPECT_THROW(read_bow(bow + wrong), deck::DeckError) << wrong;
