@@ -31,7 +31,7 @@ Scene assembly_of(Scene scene, std::size_t body) {
   const auto all = assemblies(scene);
   std::vector<std::size_t> parts =
       *std::ranges::find_if(all, [&](const auto& set) { return std::ranges::binary_search(set, body); });
-  std::ranges::stable_partition(parts, [&](std::size_t part) { return part == body; });
+  std::stable_partition(parts.begin(), parts.end(), [&](std::size_t part) { return part == body; });
   std::map<std::size_t, std::size_t> places;  // of the parts, among the parts
   std::vector<Body> bodies;
   for (const std::size_t part : parts) {
