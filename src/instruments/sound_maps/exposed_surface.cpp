@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <map>
 #include <numeric>
@@ -15,19 +16,18 @@ using Edge = std::pair<Index, Index>;  // of vertices, in the order in which a t
 
 /// Those that have a triangle on one side only.
 std::vector<Edge> open_edges(std::span<const std::array<Index, 3>> triangles) {
-  std::map<Edge, int> sides;  // triangles on the one side, less those on the other
+  std::vector<Edge> there, back;
   for (const auto& [a, b, c] : triangles) {
     for (const auto& [from, to] : {Edge(a, b), Edge(b, c), Edge(c, a)}) {
-      ++sides[{from, to}];
-      --sides[{to, from}];
+      there.emplace_back(from, to);
+      back.emplace_back(to, from);
     }
   }
+  std::ranges::sort(there);
+  std::ranges::sort(back);
   std::vector<Edge> open;
-  for (const auto& [edge, count] : sides) {
-    if (count > 0) {
-      open.push_back(edge);
-    }
-  }
+  std::ranges::set_difference(there, back, std::back_inserter(open));
+  open.erase(std::unique(open.begin(), open.end()), open.end());
   return open;
 }
 

@@ -7,6 +7,7 @@
 #include "hinge.hpp"
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
+#include "idiophone/solids/mesh/local_numbers.hpp"
 
 namespace idiophone::motion {
 
@@ -172,12 +173,10 @@ std::vector<std::vector<Index>> coupled_nodes(const Attachments& attachments) {
 
 mesh::Patch owned(const mesh::Patch& patch, const mesh::Part& part) {
   mesh::Patch mine;
-  const auto first = part.node_ids.begin();
-  const auto last = first + part.owned_nodes;
+  const mesh::LocalNumbers numbers(part);
   for (std::size_t i = 0; i < patch.nodes.size(); ++i) {
-    const auto found = std::lower_bound(first, last, patch.nodes[i]);
-    if (found != last && *found == patch.nodes[i]) {
-      mine.nodes.push_back(static_cast<Index>(found - first));
+    if (numbers.owns(patch.nodes[i])) {
+      mine.nodes.push_back(numbers.of(patch.nodes[i]));
       if (!patch.shares.empty()) {
         mine.shares.push_back(patch.shares[i]);
       }
