@@ -76,6 +76,12 @@ def can_mount():
     return subprocess.run(["unshare", "--mount", "true"], capture_output=True, check=False).returncode == 0
 
 
+def wav_samples(path):
+    """Of a WAV file of 32-bit floats, [samples x channels] one after the other."""
+    raw = path.read_bytes()
+    return numpy.frombuffer(raw[raw.index(b"data") + 8:], dtype="<f4")
+
+
 def contents(path):
     """Every dataset of a result by its path, without the deck's overrides, which tell how a run was stopped, and
     without the resolved deck, which has them."""

@@ -33,8 +33,7 @@ class Bowed(program.TestCase):
         score.write_text(SCORE.format(duration=duration))
         self.require_status(program.idiophone("play", self.output / "bowed_vibraphone_bar_bar.map.h5", "--score", score,
                                               "--output", wav, "--rate", RATE), program.FINISHED)
-        raw = wav.read_bytes()
-        return numpy.frombuffer(raw[raw.index(b"data") + 8:], dtype="<f4").astype(float)
+        return program.wav_samples(wav).astype(float)
 
     def require_as_played(self, kind, ran, played):
         """The last part of both sounds has the same pitch within 3 cents and the same level within 1 dB."""

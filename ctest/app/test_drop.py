@@ -8,7 +8,8 @@ import unittest
 import numpy
 
 import program
-from web import in_browser
+from roughness import expected_level, level
+from web import in_browser, page_of_room
 
 RATE = 44100
 STEP = 0.01  # s
@@ -67,27 +68,9 @@ def score():
     return {"duration": 0.4, "events": blows}
 
 
-def level(force, low, high):
-    """Root of the mean square of a force in a band of frequencies, N."""
-    window = numpy.hanning(len(force))
-    power = 2 * abs(numpy.fft.rfft(force * window)) ** 2 / (len(force) * (window ** 2).sum())
-    frequency = numpy.fft.rfftfreq(len(force), 1 / RATE)
-    return numpy.sqrt(power[(frequency >= low) & (frequency < high)].sum())
-
-
-def expected_level(low, high):
-    """The same of the tool on the roughness of both surfaces (docs/method/play.md)."""
-    longest, shortest, size, speed, load = 5e-3, 2e-5, 1e-4, 0.5, SLIDE["impulse"] / STEP
-    length = 100 * longest
-    n = numpy.arange(100, length / shortest + 1)
-    power = 2 * POLISHED["height"] ** 2 / n / (1 / n).sum()
-    angular = 2 * numpy.pi * n * speed / length
-    stiff = hardness(POLISHED, POLISHED)
-    spring = 1.5 * stiff * (load / stiff) ** (1 / 3)
-    s = 1j * angular / numpy.sqrt(spring / SLIDE["mass"])
-    felt = numpy.exp(-((angular / speed * size) ** 2) / 8)
-    force = power * (felt * spring * abs(s * s / (s * s + 0.2 * s + 1))) ** 2
-    return numpy.sqrt(force[(angular >= 2 * numpy.pi * low) & (angular < 2 * numpy.pi * high)].sum())
+TOOL = {"mass": SLIDE["mass"], "hardness": hardness(POLISHED, POLISHED), "load": SLIDE["impulse"] / STEP, "size": 1e-4,
+        "height": numpy.sqrt(2) * POLISHED["height"],  # both surfaces are rough
+        "roughness": {"exponent": 1, "longest": 5e-3, "shortest": 2e-5}}
 
 
 class Drop(program.TestCase):
@@ -95,13 +78,7 @@ class Drop(program.TestCase):
     def setUpClass(cls):
         cls.folder = pathlib.Path(program.tempfile.mkdtemp())
         cls.addClassCleanup(shutil.rmtree, cls.folder)
-        deck, page = cls.folder / "room.yaml", cls.folder / "explorer.html"
-        deck.write_text(DECK)
-        job = program.idiophone("map", deck, "--up-to", 8000, "--output-folder", cls.folder)
-        assert job.returncode == program.FINISHED, job.stdout + job.stderr
-        cls.maps = [cls.folder / f"room_{body}.map.h5" for body in NAMES]
-        job = program.idiophone("explore", *cls.maps, "-o", page)
-        assert job.returncode == program.FINISHED, job.stdout + job.stderr
+        page, cls.maps = page_of_room(cls.folder, DECK, NAMES, 8000)
         given = {"surfaces": SURFACES, "steps": [IMPACTS.get(step, []) for step in range(40)], "step": STEP, "rate": RATE, "seconds": 0.4,
                  "slide": SLIDE}
         cls.seen = in_browser("drop.mjs", page, json.dumps(given), cls.folder / "drop.png")
@@ -117,8 +94,7 @@ class Drop(program.TestCase):
         path.write_text(json.dumps(score()))
         job = program.idiophone("play", *self.maps, "--score", path, "--output", wav, "--rate", RATE)
         self.require_status(job, program.FINISHED)
-        raw = wav.read_bytes()
-        expected = numpy.frombuffer(raw[raw.index(b"data") + 8:], dtype="<f4").astype(float)
+        expected = program.wav_samples(wav).astype(float)
         heard = numpy.array(self.seen["sound"][0])
         self.assertEqual(len(heard), len(expected))
         expected *= numpy.dot(expected, heard) / numpy.dot(expected, expected)  # a WAV file has a full scale
@@ -130,7 +106,8 @@ class Drop(program.TestCase):
         force = numpy.array(self.seen["slid"])
         self.assertAlmostEqual(force.mean(), SLIDE["impulse"] / STEP, delta=0.01)
         for low, high in ((200, 600), (600, 1200), (1200, 2400)):
-            self.assertLess(abs(20 * numpy.log10(level(force, low, high) / expected_level(low, high))), 1.5, f"{low} to {high} Hz")
+            heard, expected = level(force, RATE, low, high), expected_level(TOOL, SLIDE["slip"][0], low, high)
+            self.assertLess(abs(20 * numpy.log10(heard / expected)), 1.5, f"{low} to {high} Hz")
 
     def test_bodies_fall_sound_and_lie_on_the_ground(self):
         fallen = self.seen["fallen"]

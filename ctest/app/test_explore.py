@@ -82,8 +82,7 @@ class Explore(program.TestCase):
 
     def require_alike(self, wav, heard):
         """Up to their scales: a WAV file has a full scale."""
-        raw = wav.read_bytes()
-        expected = numpy.frombuffer(raw[raw.index(b"data") + 8:], dtype="<f4").astype(float)
+        expected = program.wav_samples(wav).astype(float)
         self.assertEqual(len(heard), len(expected))
         expected *= numpy.dot(expected, heard) / numpy.dot(expected, expected)
         difference = numpy.linalg.norm(heard - expected) / numpy.linalg.norm(heard)

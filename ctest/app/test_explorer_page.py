@@ -8,7 +8,8 @@ import unittest
 import numpy
 
 import program
-from web import in_browser
+from roughness import expected_level, level
+from web import in_browser, page_of_room
 
 DECK = """
 name: room
@@ -24,40 +25,12 @@ TOOL = {"mass": 0.05, "hardness": 1e10, "height": 1e-7, "load": 2, "size": 2e-4,
         "roughness": {"exponent": 1, "longest": 5e-3, "shortest": 2e-5}}
 
 
-def level(force, low, high):
-    """Root of the mean square of a force in a band of frequencies, N."""
-    window = numpy.hanning(len(force))
-    power = 2 * abs(numpy.fft.rfft(force * window)) ** 2 / (len(force) * (window ** 2).sum())
-    frequency = numpy.fft.rfftfreq(len(force), 1 / TOOL["rate"])
-    return numpy.sqrt(power[(frequency >= low) & (frequency < high)].sum())
-
-
-def expected_level(speed, low, high):
-    """The same by the waves of the roughness, each through the contact (docs/method/play.md)."""
-    rough, length = TOOL["roughness"], 100 * TOOL["roughness"]["longest"]
-    n = numpy.arange(100, length / rough["shortest"] + 1)
-    power = n ** -rough["exponent"]
-    power *= TOOL["height"] ** 2 / power.sum()
-    angular = 2 * numpy.pi * n * speed / length
-    spring = 1.5 * TOOL["hardness"] * (TOOL["load"] / TOOL["hardness"]) ** (1 / 3)
-    s = 1j * angular / numpy.sqrt(spring / TOOL["mass"])
-    felt = numpy.exp(-((angular / speed * TOOL["size"]) ** 2) / 8)
-    force = power * (felt * spring * abs(s * s / (s * s + 0.2 * s + 1))) ** 2
-    return numpy.sqrt(force[(angular >= 2 * numpy.pi * low) & (angular < 2 * numpy.pi * high)].sum())
-
-
 class ExplorerPage(program.TestCase):
     @classmethod
     def setUpClass(cls):
         folder = pathlib.Path(program.tempfile.mkdtemp())
         cls.addClassCleanup(shutil.rmtree, folder)
-        deck, page = folder / "room.yaml", folder / "explorer.html"
-        deck.write_text(DECK)
-        job = program.idiophone("map", deck, "--up-to", 20000, "--output-folder", folder)
-        assert job.returncode == program.FINISHED, job.stdout + job.stderr
-        maps = [folder / f"room_{body}.map.h5" for body in ("string", "plate")]
-        job = program.idiophone("explore", *maps, "-o", page)
-        assert job.returncode == program.FINISHED, job.stdout + job.stderr
+        page, _ = page_of_room(folder, DECK, ["string", "plate"], 20000)
         cls.seen = in_browser("controls.mjs", page, folder / "page.png", "membrane")
         cls.stroked = in_browser("strokes.mjs", page, json.dumps(TOOL), folder / "strokes.png")
 
@@ -91,7 +64,7 @@ class ExplorerPage(program.TestCase):
         forces = self.stroked["forces"]
         for name, speed in zip(("slow", "fast"), TOOL["speeds"], strict=True):
             for low, high in ((100, 300), (300, 600), (600, 1000)):
-                heard, expected = level(forces[name], low, high), expected_level(speed, low, high)
+                heard, expected = level(forces[name], TOOL["rate"], low, high), expected_level(TOOL, speed, low, high)
                 self.assertLess(abs(20 * numpy.log10(heard / expected)), 1.5, f"{speed} m/s, {low} to {high} Hz")
             self.assertAlmostEqual(numpy.mean(forces[name]), TOOL["load"], places=4)
         numpy.testing.assert_allclose(forces["rest"][-100:], TOOL["load"], atol=1e-3)

@@ -33,13 +33,6 @@ def osc(address, *arguments):
         padded(argument) if isinstance(argument, str) else struct.pack(">f", argument) for argument in arguments)
 
 
-def wav(path):
-    """The samples of a WAV file of 32-bit floats."""
-    raw = path.read_bytes()
-    start = raw.index(b"data") + 8
-    return numpy.frombuffer(raw[start:], dtype="<f4")
-
-
 class PlayCase(program.TestCase):
     """With the sound map of a small plate."""
     @classmethod
@@ -68,12 +61,12 @@ class Play(PlayCase):
         sound = self.output / "sound.wav"
         told = self.play(self.map, "--score", self.score(), "--output", sound, "--rate", 44100)
         full_scale = float(re.search(r"full scale is (\S+) Pa", told)[1])
-        first = wav(sound).astype(float) * full_scale
+        first = program.wav_samples(sound).astype(float) * full_scale
         self.assertEqual(len(first), 22050)
         self.assertEqual(numpy.abs(first[:441]).max(), 0)       # silence before the blow
         self.assertGreater(numpy.abs(first[441:4410]).max(), 0)
         self.play(self.map, "--score", self.score(SCORE + "wav_full_scale: 4\n"), "--output", sound, "--rate", 44100)
-        self.assertLess(numpy.abs(wav(sound) * 4.0 - first).max(), 1e-3 * full_scale)
+        self.assertLess(numpy.abs(program.wav_samples(sound) * 4.0 - first).max(), 1e-3 * full_scale)
 
     def test_refuses_what_is_wrong(self):
         score = self.score(SCORE.replace("hardness: 1e8", "hardnes: 1e8", 1))

@@ -6,7 +6,6 @@ import tempfile
 import unittest
 
 import numpy
-import test_play
 
 import program
 
@@ -40,7 +39,7 @@ class Stage(program.TestCase):
             driven = ["--score", self.output / "score.yaml"]
         job = program.idiophone("play", *arguments, *driven, "--rate", 8000, "-o", self.output / output)
         self.require_status(job, status)
-        return test_play.wav(self.output / output).astype(float) if status == program.FINISHED and output.endswith("wav") else (
+        return program.wav_samples(self.output / output).astype(float) if status == program.FINISHED and output.endswith("wav") else (
             job.stdout + job.stderr)
 
     def test_contacts_of_a_run_strike_every_kind_of_body(self):

@@ -54,9 +54,8 @@ class Strokes(program.TestCase):
         path.write_text(score)
         found, = self.output.glob(f"*_{body}.map.h5")
         self.require_status(program.idiophone("play", found, "--score", path, "--output", wav, "--rate", RATE), program.FINISHED)
-        raw = wav.read_bytes()
         with h5py.File(found) as file:
-            return numpy.frombuffer(raw[raw.index(b"data") + 8:], dtype="<f4").astype(float), file["modes/frequency"][()]
+            return program.wav_samples(wav).astype(float), file["modes/frequency"][()]
 
     def require_tone(self, body):
         """The parts of the sound within 3 % of the modes are louder than that below 20 Hz."""

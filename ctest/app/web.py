@@ -26,5 +26,21 @@ def in_browser(script, *arguments):
     return json.loads(answer.stdout)
 
 
+def page_of_room(folder, deck, bodies, up_to):
+    """The Sonic Explorer of a deck called `room`, and the sound maps of its bodies.
+
+    :param deck: its text
+    :param up_to: Hz, the highest mode
+    """
+    path, page = folder / "room.yaml", folder / "explorer.html"
+    path.write_text(deck)
+    job = program.idiophone("map", path, "--up-to", up_to, "--output-folder", folder)
+    assert job.returncode == program.FINISHED, job.stdout + job.stderr
+    maps = [folder / f"room_{body}.map.h5" for body in bodies]
+    job = program.idiophone("explore", *maps, "-o", page)
+    assert job.returncode == program.FINISHED, job.stdout + job.stderr
+    return page, maps
+
+
 if __name__ == "__main__":
     install_modules()
