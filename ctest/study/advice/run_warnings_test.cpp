@@ -14,6 +14,7 @@ using ::testing::IsEmpty;
 bodies::Preparation with_load(const scene::Signal& signal) {
   bodies::Preparation ready;
   ready.steps_per_sample = 10;
+  ready.scene.time.duration = 0.5;
   ready.scene.pulses.emplace_back().name = "shaker";
   ready.scene.pulses.front().signal = signal;
   return ready;
@@ -35,8 +36,19 @@ TEST(RunWarnings, TellOfLoadsThatTheStepsDoNotFollow) {
   EXPECT_THAT(run_warnings(with_load({.duration = 5e-6, .table = {}})), ElementsAre(HasSubstr("is 2.2 steps of")));
 }
 
+TEST(RunWarnings, TellOfLoadsThatStartAfterTheEnd) {
+  EXPECT_THAT(run_warnings(with_load({.start = 0.49, .duration = 0.1, .table = {}})), IsEmpty());
+  const bodies::Preparation late = with_load({.start = 0.5, .duration = 0.1, .table = {}});
+  EXPECT_THAT(run_warnings(late), ElementsAre(HasSubstr("load shaker starts at 0.5 s and never acts")));
+  bodies::Preparation bowed = with_load(sine(100));
+  bowed.scene.bows.emplace_back().name = "bow";
+  bowed.scene.bows.front().start = 0.6;
+  EXPECT_THAT(run_warnings(bowed), ElementsAre(HasSubstr("load bow starts at 0.6 s")));
+}
+
 TEST(RunWarnings, TellOfDrivenGroups) {
   bodies::Preparation ready;
+  ready.scene.time.duration = 0.5;
   ready.steps_per_sample = 10;
   ready.scene.radiation.model = scene::RadiationModel::huygens;
   ready.scene.bodies.emplace_back().name = "plate";

@@ -18,8 +18,8 @@ std::size_t size_of(const std::string& text, const Bindings& bindings = {}) {
   return Graph(parse_tree(text, "t.tt"), bindings, {}).size();
 }
 
-double first_of(const std::string& text, const Bindings& bindings = {}, const Surroundings& surroundings = {}) {
-  return sound_of(text, 1, bindings, surroundings).front();
+double first_of(const std::string& text, const Bindings& bindings = {}, const SoundStart& sound_start = {}) {
+  return sound_of(text, 1, bindings, sound_start).front();
 }
 
 }  // namespace

@@ -11,8 +11,8 @@ namespace idiophone::timbre {
 
 /// The first samples of a tree.
 inline std::vector<double> sound_of(const std::string& text, std::size_t samples, const Bindings& bindings = {},
-                                    const Surroundings& surroundings = {}) {
-  Graph graph(parse_tree(text, "t.tt"), bindings, surroundings);
+                                    const SoundStart& sound_start = {}) {
+  Graph graph(parse_tree(text, "t.tt"), bindings, sound_start);
   std::vector<double> sound(samples);
   graph.render(sound);
   return sound;

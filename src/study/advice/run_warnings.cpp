@@ -25,9 +25,22 @@ void add_silent_listeners(const scene::Scene& scene, std::vector<std::string>& w
   }
 }
 
+/// @param name   as a user knows it
+/// @param start  s
+void add_if_too_late(const std::string& name, double start, const scene::Time& time,
+                     std::vector<std::string>& warnings) {
+  if (start >= time.duration) {
+    warnings.push_back(
+        fmt::format("{} starts at {:.6g} s and never acts, as the sound ends at {:.6g} s. Start it earlier, or raise "
+                    "time.duration",
+                    name, start, time.duration));
+  }
+}
+
 /// @param name  of what has the signal, as a user knows it
 void add_signal(const std::string& name, const scene::Signal& signal, const bodies::Preparation& ready,
                 std::vector<std::string>& warnings) {
+  add_if_too_late(name, signal.start, ready.scene.time, warnings);
   constexpr double least_steps = 4.0;
   const double step = ready.step();
   if (signal.shape == scene::Signal::Shape::half_sine && signal.duration < least_steps * step) {
@@ -65,6 +78,9 @@ std::vector<std::string> run_warnings(const bodies::Preparation& ready) {
   }
   for (const auto& wind : ready.scene.winds) {
     add_signal("load " + wind.name, wind.signal, ready, warnings);
+  }
+  for (const auto& bow : ready.scene.bows) {
+    add_if_too_late("load " + bow.name, bow.start, ready.scene.time, warnings);
   }
   for (const auto& body : ready.scene.bodies) {
     for (const auto& group : body.driven) {

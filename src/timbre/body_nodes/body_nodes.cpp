@@ -69,7 +69,7 @@ std::unique_ptr<Node> sound_map(const Call& call) {
   const std::vector<double> participation =
       sound_maps::participation(*map, three_numbers(call, 2, "at"), unit_vector_of(call, 3, "direction"));
   return component_node(std::vector<MappedBody>(
-      call.width, MappedBody{sound_maps::Resonators(*map, participation, 0, call.surroundings.rate)}));
+      call.width, MappedBody{sound_maps::Resonators(*map, participation, 0, call.sound_start.rate)}));
 }
 
 /// What all proxies of one body share.
@@ -129,7 +129,7 @@ std::unique_ptr<Node> proxy(const Call& call) {
     };
     const auto body = read_once<ProxyBody>(call.folder / call.texts[0] / call.texts[1], read);
     return component_node(call.states(
-        [&](std::size_t /*component*/) { return ProxySound(*body, at, direction, call.surroundings.rate); }));
+        [&](std::size_t /*component*/) { return ProxySound(*body, at, direction, call.sound_start.rate); }));
   });
 }
 

@@ -22,19 +22,19 @@ Binding slider_binding(const Parameter& parameter) {
 }
 
 /// Every parameter without default becomes a slider, and of the others those that may change with time.
-Bindings sliders_of(const Tree& tree, const Surroundings& surroundings) {
+Bindings sliders_of(const Tree& tree, const SoundStart& sound_start) {
   Bindings bindings;
   for (const Parameter& parameter : tree.parameters) {
     if (!parameter.default_value) {
       bindings[parameter.name] = slider_binding(parameter);
     }
   }
-  static_cast<void>(Graph(tree, bindings, surroundings));  // its mistakes have nothing to do with sliders
+  static_cast<void>(Graph(tree, bindings, sound_start));  // its mistakes have nothing to do with sliders
   for (const Parameter& parameter : tree.parameters) {
     Bindings tried = bindings;
     tried[parameter.name] = slider_binding(parameter);
     try {
-      static_cast<void>(Graph(tree, tried, surroundings));
+      static_cast<void>(Graph(tree, tried, sound_start));
       bindings = std::move(tried);
     } catch (const deck::DeckError&) {
       continue;  // it has to be a number
@@ -177,8 +177,8 @@ class FaustWriter {
 
 std::string faust_program(const std::filesystem::path& file) {
   const Tree tree = read_tree_file(file);
-  const Surroundings surroundings;
-  const Graph graph(tree, sliders_of(tree, surroundings), surroundings);
+  const SoundStart sound_start;
+  const Graph graph(tree, sliders_of(tree, sound_start), sound_start);
   return FaustWriter(tree, graph).program();
 }
 

@@ -22,8 +22,8 @@ double loudest_of(std::span<const double> samples) {
 
 }  // namespace
 
-Graph::Graph(const Tree& tree, const Bindings& bindings, const Surroundings& surroundings) : rate_(surroundings.rate) {
-  GraphBuilder(*this, tree, bindings, surroundings).build();
+Graph::Graph(const Tree& tree, const Bindings& bindings, const SoundStart& sound_start) : rate_(sound_start.rate) {
+  GraphBuilder(*this, tree, bindings, sound_start).build();
 }
 
 void Graph::render(std::span<double> samples) {

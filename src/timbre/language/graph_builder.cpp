@@ -71,7 +71,7 @@ GraphBuilder::Value GraphBuilder::build_word(const Expression& word, int depth) 
     return constant({std::numbers::pi});
   }
   if (word.text == "rate") {
-    return constant({static_cast<double>(surroundings_.rate)});
+    return constant({static_cast<double>(sound_start_.rate)});
   }
   if (const auto named = named_.find(word.text); named != named_.end()) {
     return build_definition(named->second, word, depth);
@@ -105,7 +105,7 @@ GraphBuilder::Value GraphBuilder::build_parameter(const Parameter& parameter) {
     value = add_vertex({.node = changing_value(binding->second),
                         .arguments = {},
                         .where = parameter.where,
-                        .lifetime = curve != nullptr ? (*curve)->silent_from() - surroundings_.start
+                        .lifetime = curve != nullptr ? (*curve)->silent_from() - sound_start_.start
                                                      : std::numeric_limits<double>::infinity()});
   }
   return value;
@@ -113,10 +113,10 @@ GraphBuilder::Value GraphBuilder::build_parameter(const Parameter& parameter) {
 
 std::unique_ptr<Node> GraphBuilder::changing_value(const Binding& binding) const {
   if (const auto* live = std::get_if<LiveValue>(&binding.value)) {
-    return std::make_unique<ControlNode>(live->control, live->smoothing, surroundings_.rate);
+    return std::make_unique<ControlNode>(live->control, live->smoothing, sound_start_.rate);
   }
   const auto& curve = std::get<std::shared_ptr<const Curve>>(binding.value);
-  return std::make_unique<CurveNode>(curve, surroundings_.start, surroundings_.rate);
+  return std::make_unique<CurveNode>(curve, sound_start_.start, sound_start_.rate);
 }
 
 GraphBuilder::Value GraphBuilder::build_definition(Named& named, const Expression& word, int depth) {

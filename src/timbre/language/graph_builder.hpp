@@ -17,8 +17,8 @@ class GraphBuilder {
   static constexpr std::size_t largest_block = 64;
 
   /// @param graph  is filled
-  GraphBuilder(Graph& graph, const Tree& tree, const Bindings& bindings, const Surroundings& surroundings)
-      : graph_(graph), tree_(tree), bindings_(bindings), surroundings_(surroundings) {}
+  GraphBuilder(Graph& graph, const Tree& tree, const Bindings& bindings, const SoundStart& sound_start)
+      : graph_(graph), tree_(tree), bindings_(bindings), sound_start_(sound_start) {}
 
   void build();
 
@@ -59,7 +59,7 @@ class GraphBuilder {
   Graph& graph_;
   const Tree& tree_;
   const Bindings& bindings_;
-  const Surroundings& surroundings_;
+  const SoundStart& sound_start_;
   deck::Mistakes mistakes_;
   bool is_too_deep_ = false;
   std::vector<std::string> open_;            // definitions that are being built, for messages about cycles

@@ -90,7 +90,7 @@ GraphBuilder::Value GraphBuilder::build_node(const NodeType& type, const deck::L
   if (!check_count(type, where, arguments.size())) {
     return {};
   }
-  Call call{.surroundings = surroundings_, .where = where, .folder = tree_.file.parent_path()};
+  Call call{.sound_start = sound_start_, .where = where, .folder = tree_.file.parent_path()};
   std::vector<std::size_t> values;
   bool good = true;
   for (std::size_t a = 0; a < std::max(arguments.size(), type.arguments.size()); ++a) {

@@ -49,7 +49,7 @@ LiveSound::LiveSound(const Tree& tree, const LiveSoundOptions& options) : rate_(
   const std::uint64_t body = joined_seed(options.seed, 0);
   graph_ = std::make_unique<Graph>(
       tree, bindings,
-      Surroundings{.rate = options.rate, .body_seed = body, .start_seed = joined_seed(body, options.start)});
+      SoundStart{.rate = options.rate, .body_seed = body, .start_seed = joined_seed(body, options.start)});
 }
 
 LiveSound::~LiveSound() = default;

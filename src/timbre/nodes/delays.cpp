@@ -56,9 +56,9 @@ std::unique_ptr<Node> delay(const Call& call) {
     throw deck::DeckError(call.where, fmt::format("the longest delay must be above 0 and at most {} s", longest_delay));
   }
   const std::vector<double>& delays = call.constants[1];
-  const double shortest = static_cast<double>(interpolation_reach) / call.surroundings.rate;
+  const double shortest = static_cast<double>(interpolation_reach) / call.sound_start.rate;
   for (const double time : delays) {
-    const double samples = time * call.surroundings.rate;
+    const double samples = time * call.sound_start.rate;
     if (!(time >= 0.0 && time <= longest) || (time < shortest && samples != std::round(samples))) {
       throw deck::DeckError(call.where,
                             fmt::format("a delay of {} s is not possible: it must be 0, or from {:.2g} s to "
@@ -66,7 +66,7 @@ std::unique_ptr<Node> delay(const Call& call) {
                                         time, shortest, longest));
     }
   }
-  return component_node(std::vector<Delay>(call.width, Delay(longest, call.surroundings.rate)));
+  return component_node(std::vector<Delay>(call.width, Delay(longest, call.sound_start.rate)));
 }
 
 struct Reverberation {
@@ -81,7 +81,7 @@ std::unique_ptr<Node> reverberate(const Call& call) {
     throw deck::DeckError(call.where,
                           fmt::format("the decay time must be above 0 and at most {} s", longest_reverberation));
   }
-  return component_node(std::vector<Reverberation>(call.width, {Reverberator(decay, call.surroundings.rate)}));
+  return component_node(std::vector<Reverberation>(call.width, {Reverberator(decay, call.sound_start.rate)}));
 }
 
 struct Convolution {

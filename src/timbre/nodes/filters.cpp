@@ -143,7 +143,7 @@ double state_memory(const Call& /*call*/) {
 
 /// The second argument of all filters with a frequency.
 void require_possible_frequency(const Call& call) {
-  const int rate = call.surroundings.rate;
+  const int rate = call.sound_start.rate;
   call.require(
       1, [rate](double frequency) { return is_possible(frequency, rate); },
       "the frequency of a filter is between 0 and half the rate");
@@ -152,7 +152,7 @@ void require_possible_frequency(const Call& call) {
 template <OnePole::Part part>
 std::unique_ptr<Node> one_pole(const Call& call) {
   require_possible_frequency(call);
-  return component_node(std::vector<OnePole>(call.width, OnePole(call.surroundings.rate, part)));
+  return component_node(std::vector<OnePole>(call.width, OnePole(call.sound_start.rate, part)));
 }
 
 }  // namespace
@@ -180,7 +180,7 @@ std::vector<NodeType> filters() {
              require_possible_frequency(call);
              call.require(
                  2, [](double quality) { return quality > 0.0; }, "the quality of a filter is above 0");
-             return component_node(std::vector<BandPass>(call.width, BandPass(call.surroundings.rate)));
+             return component_node(std::vector<BandPass>(call.width, BandPass(call.sound_start.rate)));
            },
        .ends_with = EndsWith::first,
        .memory = state_memory},
@@ -197,7 +197,7 @@ std::vector<NodeType> filters() {
            [](const Call& call) {
              call.require(
                  1, [](double density) { return density >= 0.0; }, "the surface density of a wall is at least 0");
-             return component_node(std::vector<Transmission>(call.width, Transmission(call.surroundings.rate)));
+             return component_node(std::vector<Transmission>(call.width, Transmission(call.sound_start.rate)));
            },
        .ends_with = EndsWith::first,
        .memory = state_memory},
@@ -210,7 +210,7 @@ std::vector<NodeType> filters() {
            },
        .ends_with = EndsWith::first,
        .memory =
-           [](const Call& call) { return static_cast<double>(call.constants[1].size()) / call.surroundings.rate; }},
+           [](const Call& call) { return static_cast<double>(call.constants[1].size()) / call.sound_start.rate; }},
   };
 }
 

@@ -13,7 +13,7 @@ namespace idiophone::timbre {
 
 std::shared_ptr<const std::vector<double>> recording_of(const Call& call, std::size_t argument) {
   const std::filesystem::path file = call.folder / call.texts[argument];
-  const int rate = call.surroundings.rate;
+  const int rate = call.sound_start.rate;
   try {
     // What is read depends on the rate, and on the version of the file.
     const bool is_there = std::filesystem::is_regular_file(file);

@@ -18,7 +18,7 @@ using std::numbers::pi;
 /// Another one for each kind of noise, seed and component.
 Random random_of(const Call& call, std::uint64_t kind, std::size_t seed_argument, std::size_t component) {
   const std::uint64_t seed = seed_of(call.number(seed_argument));
-  return Random(joined_seed(joined_seed(call.surroundings.start_seed + kind, seed), component));
+  return Random(joined_seed(joined_seed(call.sound_start.start_seed + kind, seed), component));
 }
 
 struct White {
@@ -159,7 +159,7 @@ class Markov {
 std::unique_ptr<Node> markov(const Call& call) {
   const double frequency = call.number(0);
   const double damping = call.number(1);
-  const int rate = call.surroundings.rate;
+  const int rate = call.sound_start.rate;
   if (!(frequency > 0.0 && 2.0 * frequency < rate && damping > 0.0 && damping < 1.0)) {
     throw deck::DeckError(call.where,
                           "markov needs a frequency between 0 and half the rate, and a damping between 0 and 1");
@@ -182,7 +182,7 @@ std::vector<NodeType> noises() {
        .description = "1/f noise: power as 1/frequency from 4 Hz up; root mean square 1",
        .make =
            [](const Call& call) {
-             return component_node(std::vector<Pink>{{random_of(call, 2, 0, 0), call.surroundings.rate}});
+             return component_node(std::vector<Pink>{{random_of(call, 2, 0, 0), call.sound_start.rate}});
            }},
       {.name = "perlin",
        .arguments = {{"frequency", signal}, seed},
@@ -190,7 +190,7 @@ std::vector<NodeType> noises() {
        .make =
            [](const Call& call) {
              return component_node(call.states([&](std::size_t component) {
-               return Perlin(random_of(call, 3, 1, component), call.surroundings.rate);
+               return Perlin(random_of(call, 3, 1, component), call.sound_start.rate);
              }));
            }},
       {.name = "markov",

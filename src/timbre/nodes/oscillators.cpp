@@ -154,7 +154,7 @@ double triangle_wave(double phase, double increment, double offset) {
 using Wave = double (*)(double, double, double);
 
 std::unique_ptr<Node> oscillator(const Call& call, Wave wave) {
-  return component_node(std::vector<Oscillator<Wave>>(call.width, {Phase(call.surroundings.rate), wave}));
+  return component_node(std::vector<Oscillator<Wave>>(call.width, {Phase(call.sound_start.rate), wave}));
 }
 
 std::unique_ptr<Node> sine(const Call& call) {
@@ -162,7 +162,7 @@ std::unique_ptr<Node> sine(const Call& call) {
     return oscillator(call, sine_wave);
   }
   return component_node(call.states([&](std::size_t component) {
-    return steady_sine(call.constant(0, component), call.constant(1, component), call.surroundings.rate);
+    return steady_sine(call.constant(0, component), call.constant(1, component), call.sound_start.rate);
   }));
 }
 

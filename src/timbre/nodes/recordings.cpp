@@ -86,12 +86,12 @@ class Playback {
 
 /// Where a recording begins to be played, in samples.
 std::size_t beginning_of(const Call& call, const Samples& samples) {
-  const double start = call.number(2), length = static_cast<double>(samples->size()) / call.surroundings.rate;
+  const double start = call.number(2), length = static_cast<double>(samples->size()) / call.sound_start.rate;
   if (!(start >= 0.0 && start < length)) {
     throw deck::DeckError(call.where, fmt::format("the start is from 0 to the end of {}, {:.4g} s, not {}",
                                                   call.texts[0], length, start));
   }
-  return std::min(static_cast<std::size_t>(std::llround(start * call.surroundings.rate)), samples->size() - 1);
+  return std::min(static_cast<std::size_t>(std::llround(start * call.sound_start.rate)), samples->size() - 1);
 }
 
 std::unique_ptr<Node> sample(const Call& call) {
@@ -106,7 +106,7 @@ std::unique_ptr<Node> sample(const Call& call) {
 /// Until its end at a constant pitch.
 double lifetime_of_sample(const Call& call) {
   const bool is_known = !call.constants[1].empty() && call.number(1) > 0.0 && call.number(3) == 0.0;
-  return is_known ? static_cast<double>(recording_of(call, 0)->size()) / call.surroundings.rate / call.number(1)
+  return is_known ? static_cast<double>(recording_of(call, 0)->size()) / call.sound_start.rate / call.number(1)
                   : std::numeric_limits<double>::infinity();
 }
 
@@ -177,13 +177,13 @@ std::unique_ptr<Node> grains(const Call& call) {
   call.require(3, within(0.1, 1000.0), "the density is from 0.1 to 1000 grains in a second");
   call.require(4, within(0.001, 10.0), "the length of a grain is from 0.001 to 10 s");
   call.require(5, within(0.0, 3600.0), "the spread is from 0 to 3600 s");
-  const std::uint64_t seed = joined_seed(call.surroundings.start_seed, seed_of(call.number(6)));
+  const std::uint64_t seed = joined_seed(call.sound_start.start_seed, seed_of(call.number(6)));
   return component_node(
       std::vector<Grains>{Grains(recording_of(call, 0), {.density = call.number(3),
                                                          .length = call.number(4),
                                                          .spread = call.number(5),
                                                          .random = Random(seed),
-                                                         .rate = static_cast<double>(call.surroundings.rate)})});
+                                                         .rate = static_cast<double>(call.sound_start.rate)})});
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ std::unique_ptr<Node> random_vector(const Call& call) {
     throw deck::DeckError(call.where, fmt::format("the length of a vector is a whole number from 1 to {}, not {}",
                                                   largest_vector, count));
   }
-  const Random random(joined_seed(call.surroundings.body_seed, seed_of(call.number(3))));
+  const Random random(joined_seed(call.sound_start.body_seed, seed_of(call.number(3))));
   std::vector<double> values(static_cast<std::size_t>(count));
   for (std::size_t i = 0; i < values.size(); ++i) {
     values[i] = lowest + (highest - lowest) * random.uniform(static_cast<std::int64_t>(i));
@@ -103,7 +103,7 @@ struct Decay {
 };
 
 std::unique_ptr<Node> damp(const Call& call) {
-  return component_node(std::vector<Decay>(call.width, Decay{.rate = static_cast<double>(call.surroundings.rate)}));
+  return component_node(std::vector<Decay>(call.width, Decay{.rate = static_cast<double>(call.sound_start.rate)}));
 }
 
 /// Of the component that decays most slowly.
@@ -145,7 +145,7 @@ std::unique_ptr<Node> keyframe(const Call& call) {
     }
   }
   return std::make_unique<CurveNode>(std::make_shared<const Curve>(times, values, interpolation), 0.0,
-                                     call.surroundings.rate);
+                                     call.sound_start.rate);
 }
 
 struct Timer {
@@ -184,7 +184,7 @@ bool find_interpolation(const std::string& word, Interpolation& interpolation) {
 std::vector<NodeType> vectors() {
   using enum Argument::Kind;
   const auto one = [](const Call& /*call*/) { return std::size_t{1}; };
-  const auto rate_of = [](const Call& call) { return static_cast<double>(call.surroundings.rate); };
+  const auto rate_of = [](const Call& call) { return static_cast<double>(call.sound_start.rate); };
   return {
       {.name = "vector",
        .arguments = {{"x", number}},

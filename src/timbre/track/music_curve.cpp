@@ -20,9 +20,9 @@ MusicCurve::MusicCurve(const MusicVariable& variable, const SonicScene& scene, c
     source_ = curve_of(*channel, motion);
   } else {
     const auto& tree = std::get<TreeVariable>(variable);
-    source_ = std::make_unique<Graph>(
-        read_tree_file(scene.classes[tree.sound_class].tree), bindings_of(tree.parameters, motion),
-        Surroundings{.rate = rate_, .body_seed = seed, .start_seed = joined_seed(seed, 0)});
+    source_ = std::make_unique<Graph>(read_tree_file(scene.classes[tree.sound_class].tree),
+                                      bindings_of(tree.parameters, motion),
+                                      SoundStart{.rate = rate_, .body_seed = seed, .start_seed = joined_seed(seed, 0)});
   }
 }
 

@@ -40,7 +40,7 @@ SoundHandle Soundtrack::instantiate_sound(SoundClassHandle sound_class, double g
 
 void Soundtrack::start_sound(SoundHandle sound, double time, Bindings bindings, double duration) {
   Source& source = sources_[sound.index];
-  static_cast<void>(Graph(*source.tree, bindings, surroundings(sound.index, source.instances.size(), time)));
+  static_cast<void>(Graph(*source.tree, bindings, sound_start(sound.index, source.instances.size(), time)));
   Instance instance{.start = std::llround(time * acoustics_.audio.rate), .bindings = std::move(bindings)};
   if (std::isfinite(duration)) {
     instance.stop = instance.start + std::llround(duration * acoustics_.audio.rate);
@@ -57,7 +57,7 @@ void Soundtrack::stop_sound(SoundHandle sound, double time) {
   }
 }
 
-Surroundings Soundtrack::surroundings(std::size_t source, std::size_t start, double time) const {
+SoundStart Soundtrack::sound_start(std::size_t source, std::size_t start, double time) const {
   const std::uint64_t body = joined_seed(seed_, source);
   return {.rate = acoustics_.audio.rate, .start = time, .body_seed = body, .start_seed = joined_seed(body, start)};
 }

@@ -128,7 +128,7 @@ void TrackRenderer::start_voices(std::int64_t first, std::size_t count) {
       const Soundtrack::Instance& instance = source.instances[next_[s]];
       const double start = static_cast<double>(instance.start) / track_.acoustics_.audio.rate;
       voices_.push_back({s, instance.start - lead(s), instance.stop - lead(s),
-                         Graph(*source.tree, instance.bindings, track_.surroundings(s, next_[s], start))});
+                         Graph(*source.tree, instance.bindings, track_.sound_start(s, next_[s], start))});
     }
   }
 }

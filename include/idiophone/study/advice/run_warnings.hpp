@@ -11,7 +11,8 @@ namespace idiophone::advice {
 /// On rank 0:
 /// - listeners inside an unbounded obstacle, which hear nothing
 /// - bodies for which the radiation model is wrong (radiation_warnings.hpp)
-/// - loads and driven groups whose frequency nobody can hear, or which the steps of the motion do not resolve
+/// - loads and driven groups whose frequency nobody can hear, or which the steps of the motion do not resolve, or
+///   which start after the end of the sound
 [[nodiscard]] std::vector<std::string> run_warnings(const bodies::Preparation& ready);
 
 /// Prints them, on rank 0.

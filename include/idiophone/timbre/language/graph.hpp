@@ -21,7 +21,7 @@ class Graph {
   /// @throws deck::DeckError with every mistake: wrong names, types and numbers of arguments, nodes that cannot be made
   ///         of their arguments, cycles, parameters without value, bindings without parameter, trees deeper than
   ///         `deepest`
-  Graph(const Tree& tree, const Bindings& bindings, const Surroundings& surroundings);
+  Graph(const Tree& tree, const Bindings& bindings, const SoundStart& sound_start);
 
   /// The next samples of the sound. They do not depend on how many are asked for at once.
   /// @throws std::runtime_error for a sample that is not finite, with the place of the node that it comes from

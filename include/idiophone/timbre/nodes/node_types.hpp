@@ -19,8 +19,8 @@
 
 namespace idiophone::timbre {
 
-/// What all nodes of a sound know; by default those of the first start of a scene's first sound.
-struct Surroundings {
+/// The start of a sound, which all its nodes know; by default the first one of a scene's first sound.
+struct SoundStart {
   int rate = 44100;                             ///< audio samples per second
   double start = 0.0;                           ///< of the sound, in the time of the scene, s
   std::uint64_t body_seed = joined_seed(1, 0);  ///< of random vectors: the same each time that the sound starts
@@ -45,7 +45,7 @@ struct Argument {
 
 /// A node that is to be made.
 struct Call {
-  const Surroundings& surroundings;
+  const SoundStart& sound_start;
   const deck::Location& where;
   std::filesystem::path folder;                  ///< that relative names of files start from
   std::vector<std::vector<double>> constants{};  ///< [arguments] the values of constants, empty for others

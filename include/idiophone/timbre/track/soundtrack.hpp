@@ -20,7 +20,7 @@
 
 namespace idiophone::timbre {
 
-struct Surroundings;
+struct SoundStart;
 struct Tree;
 
 /// A function of time through given values. @param keys  rows of (time in s, value), times ascending
@@ -97,7 +97,7 @@ class Soundtrack {
   struct Instance;
   struct Source;
 
-  [[nodiscard]] Surroundings surroundings(std::size_t source, std::size_t start, double time) const;
+  [[nodiscard]] SoundStart sound_start(std::size_t source, std::size_t start, double time) const;
 
   scene::Acoustics acoustics_;
   std::uint64_t seed_;
