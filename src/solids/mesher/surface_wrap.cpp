@@ -1,5 +1,8 @@
 #include "surface_wrap.hpp"
 
+// CGAL 6 (Debian 13) has new names for the trees and warns of the old ones, the only ones that CGAL 5 (Debian 12)
+// knows.
+#define CGAL_NO_DEPRECATION_WARNINGS
 #include <CGAL/AABB_traits.h>
 #include <CGAL/AABB_tree.h>
 #include <CGAL/AABB_triangle_primitive.h>
