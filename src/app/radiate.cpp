@@ -18,6 +18,7 @@
 #include "idiophone/run/loop/output_lock.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/find_body.hpp"
+#include "idiophone/scene/joined_bodies.hpp"
 #include "listen_to_radiation.hpp"
 #include "listener_warnings.hpp"
 #include "radiation_answer.hpp"
@@ -109,14 +110,21 @@ void warn_of_omissions(const scene::Scene& scene) {
   warn_of_unheard(scene);
 }
 
-std::vector<harmonic::Vibration> vibrations_of(const scene::Scene& scene, std::size_t body,
+/// The part of the surface that has a body: its place among the assemblies.
+std::size_t part_of(const std::vector<std::vector<std::size_t>>& assemblies, std::size_t body) {
+  const auto found = std::ranges::find_if(
+      assemblies, [&](const std::vector<std::size_t>& bodies) { return std::ranges::binary_search(bodies, body); });
+  return found - assemblies.begin();
+}
+
+std::vector<harmonic::Vibration> vibrations_of(const scene::Scene& scene, std::size_t part,
                                                const harmonic::AcousticSurface& surface,
                                                const RadiateOptions& options) {
   if (!options.velocities.empty()) {
-    return harmonic::given_vibrations(body, options.velocities, surface);
+    return harmonic::given_vibrations(part, options.velocities, surface);
   }
-  return options.frequencies.empty() ? harmonic::modal_vibrations(scene, body, options.modes, surface)
-                                     : harmonic::rigid_vibrations(body, options.frequencies, surface);
+  return options.frequencies.empty() ? harmonic::modal_vibrations(scene, part, options.modes, surface)
+                                     : harmonic::rigid_vibrations(part, options.frequencies, surface);
 }
 
 /// Refuses what is too coarse.
@@ -140,6 +148,7 @@ void check_resolution(const std::vector<harmonic::Vibration>& vibrations, double
 void share(harmonic::AcousticSurface& surface, std::vector<harmonic::Vibration>& vibrations, MPI_Comm communicator) {
   parallel::broadcast(surface.boundary.vertices, communicator);
   parallel::broadcast(surface.boundary.triangles, communicator);
+  parallel::broadcast(surface.bodies, communicator);
   parallel::broadcast(surface.parts, communicator);
   parallel::broadcast(surface.first_triangle, communicator);
   auto count = vibrations.size();
@@ -184,29 +193,30 @@ int radiate(const RadiateOptions& options) {
   check_radiate(options);
   const scene::Scene scene = bodies::read_deck(options.deck, options.overrides, communicator);
   check_grid(scene, options.accuracy.cell);
-  const std::size_t body = scene::find_body(scene.bodies, options.body);
-  const std::string name = radiation_name(scene.name, scene.bodies.size(), scene.bodies[body].name);
+  const auto assemblies = scene::assemblies(scene);
+  const std::size_t part = part_of(assemblies, scene::find_body(scene.bodies, options.body));
+  const std::string name = radiation_name(scene.name, assemblies.size(), scene.bodies[assemblies[part].front()].name);
   const loop::OutputLock lock(options.output, name, communicator);
   harmonic::AcousticSurface surface;
   std::vector<harmonic::Vibration> vibrations;
   parallel::on_root(communicator, [&] {
     warn_of_omissions(scene);
-    surface = harmonic::acoustic_surface(scene, scene.radiation.floor);
+    surface = harmonic::acoustic_surface(scene);
     check_placement(scene,
                     {.names = surface.parts,
-                     .bodies = scene.bodies.size(),
+                     .bodies = surface.bodies,
                      .vertices = surface.boundary.vertices,
                      .triangles = surface.boundary.triangles,
                      .first_triangle = surface.first_triangle},
                     propagation::Hearing::exact);
-    vibrations = vibrations_of(scene, body, surface, options);
+    vibrations = vibrations_of(scene, part, surface, options);
     const harmonic::BoundaryElements elements(surface.boundary, {});
     check_resolution(vibrations, elements.longest_edge(), scene.radiation.air.speed);
   });
   share(surface, vibrations, communicator);
   const harmonic::Radiation result = [&] {
     loop::PieceProgress progress = piece_progress("frequencies", options.style, communicator);
-    return harmonic::radiated_sounds(scene, body, surface, vibrations, options.accuracy, communicator,
+    return harmonic::radiated_sounds(scene, part, surface, vibrations, options.accuracy, communicator,
                                      parts_watched_by(progress));
   }();
   parallel::on_root(communicator, [&] {

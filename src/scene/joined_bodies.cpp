@@ -62,8 +62,8 @@ bool is_joined(std::size_t body, std::span<const Joint> joints) {
 void refuse_joints(const Solids& solids, const std::string& work) {
   if (!solids.joints.empty()) {
     const Joint& joint = solids.joints.front();
-    throw deck::DeckError(joint.where, fmt::format("joints.{}: '{}' does not know joints; use 'run' or 'modes', or "
-                                                   "leave the joints out",
+    throw deck::DeckError(joint.where, fmt::format("joints.{}: '{}' does not know joints; use 'run', 'modes', 'map' or "
+                                                   "'radiate', or leave the joints out",
                                                    joint.name, work));
   }
 }

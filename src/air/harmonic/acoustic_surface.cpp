@@ -1,10 +1,17 @@
 #include "idiophone/air/harmonic/acoustic_surface.hpp"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <map>
 
+#include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/scene/joined_bodies.hpp"
 #include "idiophone/solids/contact/outline.hpp"
+#include "idiophone/solids/joints/covered_triangles.hpp"
+#include "idiophone/solids/joints/exposed_surface.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
+#include "idiophone/solids/mesh/part.hpp"
 
 namespace idiophone::harmonic {
 
@@ -33,13 +40,31 @@ class SurfaceJoiner {
   std::map<Key, Index> numbers_;
 };
 
-void add_body(AcousticSurface& surface, const scene::Body& body) {
-  const mesh::Mesh mesh = mesh::read_mesh(body);
-  SurfaceJoiner<Index> joiner(surface.boundary);
-  for (const auto& [a, b, c] : mesh.surface) {
-    joiner.add({a, b, c}, {mesh.nodes[a], mesh.nodes[b], mesh.nodes[c]});
+/// @throws deck::DeckError, pointing at the first joint, where the surface has an edge with one triangle
+void refuse_open_surface(const joints::ExposedSurface& surface, const scene::Scene& assembly) {
+  if (!joints::is_closed(surface.triangles)) {
+    const scene::Joint& joint = assembly.joints.front();
+    throw deck::DeckError(
+        joint.where,
+        fmt::format("joints.{}: boundary elements need a closed surface, and that of {} and the bodies joined to it is "
+                    "open at the borders of joints: leave no gap, and let the meshes meet vertex by vertex there",
+                    joint.name, assembly.bodies.front().name));
   }
-  surface.parts.push_back(body.name);
+}
+
+/// @param assembly  a body, or all that joints tie together
+void add_bodies(AcousticSurface& surface, const scene::Scene& assembly) {
+  const std::vector<mesh::Mesh> meshes = mesh::read_meshes(assembly.bodies);
+  const mesh::Part part = mesh::distribute(meshes, MPI_COMM_SELF);
+  const joints::ExposedSurface exposed = joints::exposed_surface(part, joints::covered_triangles(assembly, meshes));
+  refuse_open_surface(exposed, assembly);
+  SurfaceJoiner<Index> joiner(surface.boundary);
+  const auto place = [&](Index vertex) { return part.reference[exposed.nodes[vertex]]; };
+  for (const auto& [a, b, c] : exposed.triangles) {
+    joiner.add({a, b, c}, {place(a), place(b), place(c)});
+  }
+  ++surface.bodies;
+  surface.parts.push_back(assembly.bodies.front().name);
   surface.first_triangle.push_back(static_cast<Index>(surface.boundary.triangles.size()));
 }
 
@@ -59,18 +84,18 @@ void add_obstacle(AcousticSurface& surface, const scene::Obstacle& obstacle) {
 
 }  // namespace
 
-AcousticSurface acoustic_surface(const scene::Solids& solids, const std::optional<scene::Floor>& floor) {
+AcousticSurface acoustic_surface(const scene::Scene& scene) {
   AcousticSurface surface;
   surface.first_triangle = {0};
-  for (const scene::Body& body : solids.bodies) {
-    add_body(surface, body);
+  for (const std::vector<std::size_t>& bodies : scene::assemblies(scene)) {
+    add_bodies(surface, scene::assembly_of(scene, bodies.front()));
   }
-  for (const scene::Obstacle& obstacle : solids.obstacles) {
+  for (const scene::Obstacle& obstacle : scene.obstacles) {
     if (obstacle.shape != scene::Obstacle::Shape::half_space) {
       add_obstacle(surface, obstacle);
     }
   }
-  if (floor) {
+  if (const auto& floor = scene.radiation.floor) {
     surface.boundary.floor = radiation::ReflectingPlane{floor->at, floor->direction, floor->reflection};
   }
   return surface;

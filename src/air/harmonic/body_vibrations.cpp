@@ -9,6 +9,8 @@
 #include "given_velocities.hpp"
 #include "idiophone/scene/joined_bodies.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
+#include "idiophone/solids/joints/covered_triangles.hpp"
+#include "idiophone/solids/joints/exposed_surface.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/motion/attachments.hpp"
@@ -39,29 +41,29 @@ void move(Vibration& vibration, const AcousticSurface& surface, std::size_t part
 
 }  // namespace
 
-std::vector<Vibration> modal_vibrations(const scene::Solids& solids, std::size_t body, int count,
+std::vector<Vibration> modal_vibrations(const scene::Scene& scene, std::size_t part, int count,
                                         const AcousticSurface& surface) {
-  scene::refuse_joints(solids, "radiate");
-  const scene::Solids alone = solids.alone(body);
-  const std::vector<mesh::Mesh> meshes = {mesh::read_mesh(alone.bodies.front())};
-  const mesh::Part part = mesh::distribute(meshes, MPI_COMM_SELF);
+  const scene::Scene assembly = scene::assembly_of(scene, scene::assemblies(scene)[part].front());
+  const std::vector<mesh::Mesh> meshes = mesh::read_meshes(assembly.bodies);
+  const mesh::Part mesh = mesh::distribute(meshes, MPI_COMM_SELF);
+  const joints::ExposedSurface exposed = joints::exposed_surface(mesh, joints::covered_triangles(assembly, meshes));
   const eigenmodes::Modes found =
-      eigenmodes::find_modes(alone, part, motion::attach(alone, meshes), {.count = count}, MPI_COMM_SELF);
+      eigenmodes::find_modes(assembly, mesh, motion::attach(assembly, meshes), {.count = count}, MPI_COMM_SELF);
   std::vector<Vibration> vibrations;
   for (const eigenmodes::Mode& mode : found.modes) {
     Vibration& vibration = vibrations.emplace_back();
     vibration.name = fmt::format("mode {}", vibrations.size());
     vibration.frequency = mode.frequency;
     vibration.energy = 0.5;  // unit modal mass, unit modal velocity
-    move(vibration, surface, body, [&](std::size_t triangle, std::size_t corner) {
-      const Index node = part.vertices[part.surface[triangle].at(corner)];
+    move(vibration, surface, part, [&](std::size_t triangle, std::size_t corner) {
+      const Index node = exposed.nodes[exposed.triangles[triangle].at(corner)];
       return ComplexVector(Vector3::Map(&mode.shape[3UL * node]).cast<Complex>());
     });
   }
   return vibrations;
 }
 
-std::vector<Vibration> rigid_vibrations(std::size_t body, const std::vector<double>& frequencies,
+std::vector<Vibration> rigid_vibrations(std::size_t part, const std::vector<double>& frequencies,
                                         const AcousticSurface& surface) {
   std::vector<Vibration> vibrations;
   for (const double frequency : frequencies) {
@@ -69,23 +71,23 @@ std::vector<Vibration> rigid_vibrations(std::size_t body, const std::vector<doub
       Vibration& vibration = vibrations.emplace_back();
       vibration.name = fmt::format("along {}", "xyz"[axis]);
       vibration.frequency = frequency;
-      move(vibration, surface, body,
+      move(vibration, surface, part,
            [axis](std::size_t, std::size_t) { return ComplexVector(ComplexVector::Unit(axis)); });
     }
   }
   return vibrations;
 }
 
-std::vector<Vibration> given_vibrations(std::size_t body, const std::filesystem::path& file,
+std::vector<Vibration> given_vibrations(std::size_t part, const std::filesystem::path& file,
                                         const AcousticSurface& surface) {
   std::vector<Vibration> vibrations;
-  for (const auto& at_frequency : read_velocities(file, surface, body)) {
+  for (const auto& at_frequency : read_velocities(file, surface, part)) {
     const VertexVelocities& velocity = at_frequency.second;
     Vibration& vibration = vibrations.emplace_back();
     vibration.name = "given";
     vibration.frequency = at_frequency.first;
-    const auto first = static_cast<std::size_t>(surface.first_triangle[body]);
-    move(vibration, surface, body, [&](std::size_t triangle, std::size_t corner) {
+    const auto first = static_cast<std::size_t>(surface.first_triangle[part]);
+    move(vibration, surface, part, [&](std::size_t triangle, std::size_t corner) {
       return velocity.at(surface.boundary.triangles[first + triangle].at(corner));
     });
   }

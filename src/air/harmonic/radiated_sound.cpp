@@ -40,11 +40,11 @@ std::vector<FrequencyGroup> groups_of(const std::vector<Vibration>& vibrations) 
 }
 
 /// Everything but the sounds.
-harmonic::Radiation facts_of(const scene::Acoustics& acoustics, std::size_t body, const AcousticSurface& surface,
+harmonic::Radiation facts_of(const scene::Acoustics& acoustics, std::size_t part, const AcousticSurface& surface,
                              double highest) {
   harmonic::Radiation facts;
-  facts.body = acoustics.bodies[body].name;
-  facts.bodies = acoustics.bodies.size();
+  facts.body = surface.parts[part];
+  facts.bodies = surface.bodies;
   facts.parts = surface.parts;
   facts.first_triangle = surface.first_triangle;
   facts.surfaces = {surface.boundary};
@@ -109,7 +109,7 @@ std::pair<double, double> area_and_flux(const AcousticSurface& surface, std::siz
 
 /// What all sounds have in common.
 struct Radiator {
-  std::size_t body;
+  std::size_t part;
   const AcousticSurface& surface;
   const harmonic::Radiation& facts;
   const scene::AirProperties& air;
@@ -119,10 +119,10 @@ struct Radiator {
 /// @param whole  integral of the squared far field over the directions, Pa2 m2
 void compare_models(harmonic::RadiatedSound& sound, double whole, const Radiator& radiator, const QuietAir& air,
                     const Vibration& vibration) {
-  const auto& [body, surface, facts, unused] = radiator;
+  const auto& [part, surface, facts, unused] = radiator;
   const double wave_number = 2.0 * std::numbers::pi * vibration.frequency / air.speed;
   const auto modelled =
-      harmonic::modelled_far_field(surface.boundary, surface.first_triangle[body], surface.first_triangle[body + 1],
+      harmonic::modelled_far_field(surface.boundary, surface.first_triangle[part], surface.first_triangle[part + 1],
                                    air, wave_number, vibration.normal_velocity, facts.directions);
   sound.kirchhoff_error = 10.0 * std::log10(square_over(facts, modelled.kirchhoff) / whole);
   sound.kirchhoff_worst = worst_error(facts, modelled.kirchhoff, sound.far_field);
@@ -140,7 +140,7 @@ harmonic::RadiatedSound sound_of(const harmonic::BoundaryElements& elements, con
                                  const Vibration& vibration, const Radiator& radiator) {
   const harmonic::Radiation& facts = radiator.facts;
   harmonic::RadiatedSound sound;
-  const auto [area, square] = area_and_flux(radiator.surface, radiator.body, vibration.normal_velocity);
+  const auto [area, square] = area_and_flux(radiator.surface, radiator.part, vibration.normal_velocity);
   sound.mean_square_velocity = 0.5 * square / area;
   sound.power = field.power;
   sound.efficiency = field.power / (elements.air().impedance() * 0.5 * square);
@@ -191,19 +191,19 @@ void add_refined_surfaces(harmonic::Radiation& result, SurfaceLevels& levels) {
 
 }  // namespace
 
-harmonic::Radiation radiated_sounds(const scene::Acoustics& acoustics, std::size_t body, const AcousticSurface& surface,
+harmonic::Radiation radiated_sounds(const scene::Acoustics& acoustics, std::size_t part, const AcousticSurface& surface,
                                     const std::vector<Vibration>& vibrations, const RadiationOptions& options,
                                     MPI_Comm communicator, const PartWatch& watch) {
   double highest = 0.0;
   for (const Vibration& vibration : vibrations) {
     highest = std::max(highest, vibration.frequency);
   }
-  harmonic::Radiation result = facts_of(acoustics, body, surface, highest);
+  harmonic::Radiation result = facts_of(acoustics, part, surface, highest);
   result.cell = options.cell.value_or(0.0);
   SurfaceLevels levels(surface.boundary,
                        {.density = acoustics.radiation.air.density, .speed = acoustics.radiation.air.speed},
                        options.most_vertices);
-  const Radiator radiator{body, surface, result, acoustics.radiation.air};
+  const Radiator radiator{part, surface, result, acoustics.radiation.air};
   const auto groups = groups_of(vibrations);
   const auto ranks = static_cast<std::size_t>(parallel::size_of(communicator));
   std::vector<Complex> own;

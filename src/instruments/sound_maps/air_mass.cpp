@@ -1,11 +1,11 @@
 #include "idiophone/instruments/sound_maps/air_mass.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
 
+#include <algorithm>
 #include <stdexcept>
 
-#include "exposed_surface.hpp"
+#include "idiophone/solids/joints/exposed_surface.hpp"
 
 namespace idiophone::sound_maps {
 
@@ -23,7 +23,7 @@ harmonic::DryModes dry_modes(const SoundMap& map) {
 }
 
 std::size_t add_air_mass(SoundMap& map) {
-  if (!is_closed(map.triangles)) {
+  if (!joints::is_closed(map.triangles)) {
     throw std::runtime_error(
         fmt::format("--in-air needs a closed surface, and that of {} and the bodies joined to it is open where their "
                     "meshes do not meet vertex by vertex: leave it out, or make the meshes match",

@@ -4,11 +4,10 @@
 #include <numbers>
 #include <utility>
 
-#include "exposed_surface.hpp"
-#include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/scene/joined_bodies.hpp"
 #include "idiophone/solids/eigenmodes/compute_modal_basis.hpp"
 #include "idiophone/solids/joints/covered_triangles.hpp"
+#include "idiophone/solids/joints/exposed_surface.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/motion/initial_state.hpp"
 #include "solid_facts.hpp"
@@ -69,10 +68,7 @@ SoundMap solid_map(const scene::Scene& scene, std::size_t body, const eigenmodes
     map.scalable = scalable_modes(scene, first, meshes.front());
   }
   add_mass_properties(map, motion::mass_properties(motion::FiniteElementDynamics(solids, part, attachments), part));
-  ExposedSurface surface = exposed_surface(part, joints::covered_triangles(solids, meshes));
-  if (surface.triangles.empty()) {
-    throw deck::DeckError(solids.joints.front().where, "joints cover all of the surface, so it makes no sound");
-  }
+  joints::ExposedSurface surface = joints::exposed_surface(part, joints::covered_triangles(solids, meshes));
   for (const Index node : surface.nodes) {
     map.vertices.push_back(part.reference[node]);
   }

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "exposed_surface.hpp"
 #include "idiophone/air/harmonic/boundary_elements.hpp"
+#include "idiophone/solids/joints/exposed_surface.hpp"
 
 namespace idiophone::sound_maps {
 
@@ -22,7 +22,7 @@ double boundary_element_time(const SoundMap& map) {
 
 SolidRadiation solid_radiation(const SoundMap& map, const scene::Radiation& radiation,
                                std::optional<SurfaceModel> wanted) {
-  if (!is_closed(map.triangles)) {
+  if (!joints::is_closed(map.triangles)) {
     const std::string open = fmt::format(
         "the surface of {} and the bodies joined to it is open at the borders of joints, as the meshes do not meet "
         "vertex "

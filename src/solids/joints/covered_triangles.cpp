@@ -61,6 +61,9 @@ std::vector<char> covered_triangles(const scene::Solids& solids, const std::vect
     cover(one, of_one, meshes[one.body], {of_other, reach}, of_body(one.body));
     cover(other, of_other, meshes[other.body], {of_one, reach}, of_body(other.body));
   }
+  if (!solids.joints.empty() && std::ranges::count(covered, 1) == std::ssize(covered)) {
+    throw deck::DeckError(solids.joints.front().where, "joints cover all of the surface, so it makes no sound");
+  }
   return covered;
 }
 

@@ -21,9 +21,10 @@ struct RadiationOptions {
 
 /// Vibrations of one frequency are solved together; frequencies are dealt to the ranks, so the bits do not depend on
 /// their number. Collective.
+/// @param part  of the surface, which moves
 /// @param surface, vibrations  the same on all ranks
 /// @param watch  may end the work: the result then has only the first frequencies, those that all ranks have done
-[[nodiscard]] harmonic::Radiation radiated_sounds(const scene::Acoustics& acoustics, std::size_t body,
+[[nodiscard]] harmonic::Radiation radiated_sounds(const scene::Acoustics& acoustics, std::size_t part,
                                                   const AcousticSurface& surface,
                                                   const std::vector<Vibration>& vibrations,
                                                   const RadiationOptions& options, MPI_Comm communicator,

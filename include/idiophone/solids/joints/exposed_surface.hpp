@@ -7,7 +7,7 @@
 
 #include "idiophone/solids/mesh/part.hpp"
 
-namespace idiophone::sound_maps {
+namespace idiophone::joints {
 
 struct ExposedSurface {
   std::vector<Index> nodes;               ///< its vertices, ascending
@@ -23,4 +23,4 @@ struct ExposedSurface {
 /// Whether each edge has as many triangles on the one side as on the other.
 [[nodiscard]] bool is_closed(std::span<const std::array<Index, 3>> triangles);
 
-}  // namespace idiophone::sound_maps
+}  // namespace idiophone::joints

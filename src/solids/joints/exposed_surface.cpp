@@ -1,4 +1,4 @@
-#include "exposed_surface.hpp"
+#include "idiophone/solids/joints/exposed_surface.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,7 +8,7 @@
 #include <numeric>
 #include <utility>
 
-namespace idiophone::sound_maps {
+namespace idiophone::joints {
 
 namespace {
 
@@ -101,4 +101,4 @@ bool is_closed(std::span<const std::array<Index, 3>> triangles) {
   return open_edges(triangles).empty();
 }
 
-}  // namespace idiophone::sound_maps
+}  // namespace idiophone::joints

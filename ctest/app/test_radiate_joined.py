@@ -1,0 +1,72 @@
+#!/usr/bin/python3
+"""`idiophone radiate` of bodies that a joint ties together, against the same body in one piece."""
+import json
+import unittest
+
+import h5py
+import numpy
+
+import program
+
+LAYERS = program.deck("bar_of_layers")
+BAR = """\
+name: bar
+time: {duration: 0.1}
+materials:
+  steel: {young: 2.0e11, poisson: 0.3, density: 7850, damping: {mass: 2.0}}
+bodies:
+  bar:
+    mesh: MESHES/bar.geo
+    parameters: {length: 0.24, width: 0.03, thickness: 0.01, size: 0.08, layers: 2}
+    element: hex
+    order: {plane: 4, thickness: 2}
+    material: steel
+listeners:
+  above: {type: mono, position: [0.1, 0.05, 0.3]}
+  beside: {type: mono, position: [0.4, 0.1, -0.05]}
+"""
+
+
+class RadiateJoined(program.TestCase):
+    def setUp(self):
+        super().setUp()
+        self.bar = self.output / "bar.yaml"
+        self.bar.write_text(BAR.replace("MESHES", str(program.SOURCE / "meshes")))
+
+    def radiate(self, deck, *arguments, ranks=None):
+        return program.idiophone("radiate", deck, "--output-folder", self.output, "--tolerance", 0, *arguments, ranks=ranks)
+
+    def sounds(self, deck, *arguments):
+        job = self.radiate(deck, "--json", *arguments)
+        self.require_status(job, program.FINISHED)
+        return json.loads(job.stdout)["sounds"]
+
+    def test_the_modes_of_glued_layers_sound_as_those_of_one_piece(self):
+        joined, whole = (self.sounds(deck, "--modes", 2) for deck in (LAYERS, self.bar))
+        self.assertEqual(len(joined), len(whole))
+        for one, other in zip(joined, whole):
+            self.assertAlmostEqual(1200 * numpy.log2(one["frequency"] / other["frequency"]), 0, delta=0.5)
+            self.assertAlmostEqual(10 * numpy.log10(one["power"] / other["power"]), 0, delta=0.05)
+            for listener in "above", "beside":
+                level = [20 * numpy.log10(abs(complex(*sound["listeners"][listener]))) for sound in (one, other)]
+                self.assertAlmostEqual(*level, delta=0.05, msg=f"{one['motion']} {listener}")
+
+    def test_all_that_joints_tie_to_a_body_moves_with_it(self):
+        job = self.radiate(LAYERS, "--body", "lower", "--modes", 1)
+        self.require_status(job, program.FINISHED)
+        alone = program.contents(self.output / "layers_radiation.h5")
+        with h5py.File(self.output / "layers_radiation.h5") as file:
+            self.assertEqual(file["surface/parts"].asstr()[:].tolist(), ["upper"])
+            self.assertEqual(file.attrs["bodies"], 1)
+        self.require_status(self.radiate(LAYERS, "--modes", 1, ranks=2), program.FINISHED)
+        self.require_same(self.output / "layers_radiation.h5", alone)
+
+    def test_a_surface_that_is_open_at_a_joint_is_refused(self):
+        job = self.radiate(program.deck("joined"), "--modes", 2)
+        self.assertEqual(job.returncode, program.WRONG_DECK)
+        self.assertIn("joined.yaml:21:3: joints.glue: boundary elements need a closed surface, and that of left and the bodies "
+                      "joined to it is open", job.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
