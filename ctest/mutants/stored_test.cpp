@@ -1,10 +1,11 @@
-// Results, modes, recordings, checkpoints, sound maps and radiated sounds.
+// Results, modes, recordings, checkpoints, sound maps, radiated sounds and meshes.
 
 #include <mpi.h>
 
 #include <nlohmann/json.hpp>
 
 #include "fixture.hpp"
+#include "hash.hpp"
 #include "hdf5_mutations.hpp"
 #include "idiophone/air/harmonic/radiation_file.hpp"
 #include "idiophone/foundation/deck/tree.hpp"
@@ -12,6 +13,8 @@
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/instruments/sound_maps/voice_file.hpp"
 #include "idiophone/run/results/surface_motion_file.hpp"
+#include "idiophone/solids/mesh/faces.hpp"
+#include "idiophone/solids/mesh/mesh_file.hpp"
 #include "results.hpp"
 #include "small_map.hpp"
 #include "small_radiation.hpp"
@@ -155,6 +158,34 @@ File make_stopped_run(const File& result_file) {
   result.append(results::ears.path, results::audio(100, 9000));
   result.flush();
   return checkpoints;
+}
+
+/// Two tetrahedra with groups.
+mesh::StoredMesh small_mesh() {
+  mesh::StoredMesh stored;
+  stored.body = "plate";
+  stored.mesh.element = element::tet4;
+  stored.mesh.nodes = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {0, 0, -1}};
+  stored.mesh.elements = {0, 1, 2, 3, 0, 2, 1, 4};
+  stored.mesh.surface = mesh::exterior_triangles(stored.mesh);
+  stored.mesh.groups = {{"rim", {0, 1, 2}}, {"tip", {3}}};
+  stored.mesh.group_triangles = {{"rim", {{0, 1, 2}}}};
+  stored.mesh.hash = mesh::hash_of(stored.mesh);
+  stored.element_groups = {{"lower", {1}}, {"upper", {0}}};
+  return stored;
+}
+
+TEST_F(Stored, Mesh) {
+  const File file = folder / "plate.mesh.h5";
+  mesh::write_mesh_file(file, small_mesh(), results::origin);
+  expect_stored("mesh", file, [](const File& mutant) {
+    scene::Body body;
+    body.name = "plate";
+    body.mesh = mutant;
+    body.element = element::tet4;
+    static_cast<void>(mesh::read_mesh(body));
+  });
+  expect_stored("mesh_info", file, describe);
 }
 
 TEST_F(Stored, Checkpoint) {

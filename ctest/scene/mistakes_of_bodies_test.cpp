@@ -13,7 +13,8 @@ TEST_F(MistakenBodies, Files) {
       {"plate.geo", "../nowhere/x.msh",
        "deck.yaml:6:17: bodies.plate.mesh: no such file: " + (folder.parent_path() / "nowhere/x.msh").string()},
       {"plate.geo", "deck.yaml",
-       "deck.yaml:6:17: bodies.plate.mesh: must end in .geo, .msh, .step, .stp, .brep, .stl, .obj, .gltf, .glb, .ply, "
+       "deck.yaml:6:17: bodies.plate.mesh: must end in .geo, .msh, .h5, .step, .stp, .brep, .stl, .obj, .gltf, .glb, "
+       ".ply, "
        ".fbx, found 'deck.yaml'"},
       {"plate.geo", "shapes/bar.msh, parameters: {side: 1}",
        "deck.yaml:6:33: bodies.plate.parameters: a .msh file is a mesh already and has no parameters; leave them out"},
@@ -158,7 +159,8 @@ TEST_F(MistakenBodies, Obstacles) {
        "deck.yaml:12:19: obstacles.post: the key 'length' is missing"},
       {obstacle("rock", "shape: surface, at: [0, 0, 0]"), "deck.yaml:12:19: obstacles.rock: the key 'mesh' is missing"},
       {obstacle("rock", "shape: surface, at: [0, 0, 0], mesh: deck.yaml"),
-       "deck.yaml:12:57: obstacles.rock.mesh: must end in .geo, .msh, .step, .stp, .brep, .stl, .obj, .gltf, .glb, "
+       "deck.yaml:12:57: obstacles.rock.mesh: must end in .geo, .msh, .h5, .step, .stp, .brep, .stl, .obj, .gltf, "
+       ".glb, "
        ".ply, .fbx, found "
        "'deck.yaml'"},
       {obstacle("rock", "shape: surface, at: [0, 0, 0], mesh: shapes/bar.msh, parameters: {a: 1}"),

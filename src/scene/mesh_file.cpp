@@ -37,14 +37,20 @@ static bool read(const Node& node, Mistakes& mistakes, MeshingSettings& settings
 
 namespace {
 
+/// Whether a file is a mesh; the others are geometries.
+bool is_mesh(const std::filesystem::path& file) {
+  return file.extension() == ".msh" || file.extension() == ".h5";
+}
+
 template <class Shaped>
 void read_parameters(const Node& node, Mistakes& mistakes, Shaped& shaped) {
   if (node.kind != Node::Kind::map) {
     mistakes.add(node, "expected a map of numbers, found " + describe(node));
     return;
   }
-  if (shaped.mesh.extension() == ".msh") {
-    mistakes.add(node.key_where, node.path + ": a .msh file is a mesh already and has no parameters; leave them out");
+  if (is_mesh(shaped.mesh)) {
+    mistakes.add(node.key_where, fmt::format("{}: a {} file is a mesh already and has no parameters; leave them out",
+                                             node.path, shaped.mesh.extension().string()));
   }
   for (const Node& parameter : node.children) {
     read(parameter, mistakes, shaped.parameters[parameter.key], Range{});
@@ -75,8 +81,8 @@ void read_mesh(Section& section, Shaped& shaped, const Folder& folder) {
   const Node* mesh = section.find("mesh");
   if (section.required("mesh", shaped.mesh, folder)) {
     shaped.mesh_where = mesh->where;
-    constexpr std::array known = {".geo", ".msh",  ".step", ".stp", ".brep", ".stl",
-                                  ".obj", ".gltf", ".glb",  ".ply", ".fbx"};
+    constexpr std::array known = {".geo", ".msh", ".h5",   ".step", ".stp", ".brep",
+                                  ".stl", ".obj", ".gltf", ".glb",  ".ply", ".fbx"};
     if (std::ranges::find(known, shaped.mesh.extension()) == known.end()) {
       section.mistakes().add(*mesh, fmt::format("must end in {}, found {}", fmt::join(known, ", "), describe(*mesh)));
     }
@@ -85,7 +91,11 @@ void read_mesh(Section& section, Shaped& shaped, const Folder& folder) {
   if (const Node* parameters = section.find("parameters")) {
     read_parameters(*parameters, section.mistakes(), shaped);
   }
-  section.optional("meshing", shaped.meshing, shaped.mesh);
+  if (shaped.mesh.extension() == ".h5") {
+    section.refuse("meshing", "has no meaning: a .h5 file is a mesh already");
+  } else {
+    section.optional("meshing", shaped.meshing, shaped.mesh);
+  }
 }
 
 template void read_mesh(Section& section, Body& shaped, const Folder& folder);

@@ -107,6 +107,7 @@ def make_stored(made, program, environment):
 
     for command, *options in ["run", *recorded], ["map", "--modes", "3"], ["radiate", "--modes", "1"]:
         call(command, deck, "--output-folder", made, *options)
+    call("mesh", deck, "-o", made / "small.mesh.h5")
     call("export", next(made.glob("*.map.h5")), "--voice", made / "small.voice")
     with h5py.File(made / LAST_MADE, "w") as file:
         file["frequency"], file["position"], file["velocity"] = [800.0], numpy.eye(3), numpy.ones((1, 3, 3, 2))

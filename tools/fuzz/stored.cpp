@@ -8,6 +8,7 @@
 #include "idiophone/foundation/deck/tree.hpp"
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/results/checkpoint.hpp"
+#include "idiophone/solids/mesh/mesh_file.hpp"
 #include "readers.hpp"
 #include "stored_readers.hpp"
 #include "velocity_file.hpp"
@@ -35,6 +36,10 @@ void read_sound_map(const File& file) {
 
 void read_radiation(const File& file) {
   static_cast<void>(harmonic::read_radiation(file));
+}
+
+void read_stored_mesh(const File& file) {
+  static_cast<void>(mesh::read_mesh_file(file));
 }
 
 void read_velocities(const File& file) {
@@ -65,6 +70,7 @@ std::vector<Reader> stored_readers() {
           {"recording", ".h5", mutants::read_recording, mutated_file},
           {"sound_map", ".h5", read_sound_map, mutated_file},
           {"radiation", ".h5", read_radiation, mutated_file},
+          {"stored_mesh", ".h5", read_stored_mesh, mutated_file},
           {"given_motion", ".h5", read_velocities, mutated_file},
           {"checkpoint", ".h5", read_checkpoint, mutated_file, false}};
 }

@@ -16,46 +16,6 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::StartsWith;
 
-/// Two boxes that share a face, of tetrahedra; `both` holds the two.
-constexpr const char* two_boxes = R"(
-SetFactory("OpenCASCADE");
-Box(1) = {0, 0, 0, 0.1, 0.05, 0.05};
-Box(2) = {0.1, 0, 0, 0.2, 0.05, 0.05};
-Coherence;
-Mesh.MeshSizeMax = 0.05;
-Physical Volume("core") = {1};
-Physical Volume("head") = {2};
-Physical Volume("both") = {1, 2};
-Physical Surface("skin") = Surface{:};
-)";
-
-/// Two rectangles side by side.
-constexpr const char* two_rectangles = R"(
-SetFactory("OpenCASCADE");
-Rectangle(1) = {0, 0, 0, 0.1, 0.05};
-Rectangle(2) = {0.1, 0, 0, 0.2, 0.05};
-Coherence;
-Mesh.MeshSizeMax = 0.05;
-Physical Surface("left") = {1};
-Physical Surface("right") = {2};
-)";
-
-scene::MaterialRegion region(const std::string& name, int line, double thickness = 0.0) {
-  scene::MaterialRegion result;
-  result.name = name;
-  result.thickness = thickness;
-  result.where = {.file = "deck.yaml", .line = line, .column = 5};
-  return result;
-}
-
-scene::Body with_groups(const TemporaryFile& file, element::Type type, const std::vector<std::string>& groups) {
-  scene::Body body = body_of(file.path(), type);
-  for (const std::string& group : groups) {
-    body.regions.push_back(region(group, 10 + static_cast<int>(body.regions.size())));
-  }
-  return body;
-}
-
 ON_RANKS(1);
 
 TEST(MaterialRegions, AreThePhysicalGroupsOfTheMesh) {

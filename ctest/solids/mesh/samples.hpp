@@ -48,6 +48,49 @@ inline std::string refusal(const scene::Body& body) {
 
 using support::TemporaryFile;
 
+/// Two boxes that share a face, of tetrahedra; `both` holds the two.
+inline constexpr const char* two_boxes = R"(
+SetFactory("OpenCASCADE");
+Box(1) = {0, 0, 0, 0.1, 0.05, 0.05};
+Box(2) = {0.1, 0, 0, 0.2, 0.05, 0.05};
+Coherence;
+Mesh.MeshSizeMax = 0.05;
+Physical Volume("core") = {1};
+Physical Volume("head") = {2};
+Physical Volume("both") = {1, 2};
+Physical Surface("skin") = Surface{:};
+)";
+
+/// Two rectangles side by side.
+inline constexpr const char* two_rectangles = R"(
+SetFactory("OpenCASCADE");
+Rectangle(1) = {0, 0, 0, 0.1, 0.05};
+Rectangle(2) = {0.1, 0, 0, 0.2, 0.05};
+Coherence;
+Mesh.MeshSizeMax = 0.05;
+Physical Surface("left") = {1};
+Physical Surface("right") = {2};
+)";
+
+/// A material region at a line of deck.yaml.
+/// @param thickness  of a layer, m; 0 of a group
+inline scene::MaterialRegion region(const std::string& name, int line, double thickness = 0.0) {
+  scene::MaterialRegion result;
+  result.name = name;
+  result.thickness = thickness;
+  result.where = {.file = "deck.yaml", .line = line, .column = 5};
+  return result;
+}
+
+/// A body with a material for each of these groups, from line 10 on.
+inline scene::Body with_groups(const TemporaryFile& file, element::Type type, const std::vector<std::string>& groups) {
+  scene::Body body = body_of(file.path(), type);
+  for (const std::string& group : groups) {
+    body.regions.push_back(region(group, 10 + static_cast<int>(body.regions.size())));
+  }
+  return body;
+}
+
 /// An element line of gmsh's MSH 2.2 format, without its number: type, tags, nodes.
 using MshElement = std::string;
 

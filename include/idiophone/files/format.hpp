@@ -14,6 +14,7 @@ inline const std::string result_format = "idiophone result";
 inline const std::string checkpoint_format = "idiophone checkpoint";
 inline const std::string surface_motion_format = "idiophone surface motion";
 inline const std::string sound_map_format = "idiophone sound map";
+inline const std::string mesh_format = "idiophone mesh";
 inline const std::string radiation_format = "idiophone radiation";
 
 /// The version of a format's layout.

@@ -14,7 +14,7 @@ from .program import FINISHED, Wrong
 NOTES = (b"MThd\0\0\0\x06\0\0\0\x01\0\x60MTrk\0\0\0\x0d"  # one track, 96 ticks a quarter
          b"\0\x90\x3c\x64\x60\x80\x3c\0\0\xff\x2f\0\0")
 LINES = "mass: 0.88\nuncertainty: 5\nlines: [202, {frequency: 424, uncertainty: 6, decay_time: 0.6}, 584]\n"
-MAP, SOUND = "simple_plate.map.h5", "sound.wav"
+MAP, MESH, SOUND = "simple_plate.map.h5", "plate.mesh.h5", "sound.wav"
 
 
 @dataclass(frozen=True)
@@ -42,6 +42,8 @@ CASES = (
     Case(("results/simple.h5",), ("report", "results/simple.h5")),
     Case(("deck.yaml",), ("radiate", "deck.yaml", "--modes", "2")),
     Case(("deck.yaml",), ("map", "deck.yaml", "--modes", "3")),
+    Case(("deck.yaml",), ("mesh", "deck.yaml", "--output", MESH)),
+    Case((MESH,), ("info", MESH)),
 )
 
 

@@ -117,9 +117,9 @@ hdf5::Identifier open_described(const std::filesystem::path& path) {
   auto file = hdf5::open_for_reading(path);
   const auto format = files::format_of(file.id());
   if (format != files::result_format && format != files::checkpoint_format && format != files::surface_motion_format &&
-      format != files::sound_map_format && format != files::radiation_format) {
-    throw std::runtime_error(
-        fmt::format("{} is no result, recording, checkpoint, sound map or radiated sound of idiophone", path.string()));
+      format != files::sound_map_format && format != files::radiation_format && format != files::mesh_format) {
+    throw std::runtime_error(fmt::format(
+        "{} is no result, recording, checkpoint, sound map, radiated sound or mesh of idiophone", path.string()));
   }
   files::check_format(file.id(), format, path);
   return file;

@@ -6,8 +6,10 @@
 
 #include "gmsh_extract.hpp"
 #include "gmsh_mesh.hpp"
+#include "group_name.hpp"
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/element/reference.hpp"
+#include "load_mesh_file.hpp"
 #include "mesher_process.hpp"
 #include "regions_by_group.hpp"
 #include "spectral_hexahedra.hpp"
@@ -29,7 +31,7 @@ FileFormat format_of(const scene::Body& body) {
   if (found == formats.end()) {
     throw deck::DeckError(body.mesh_where,
                           fmt::format("{} isn't a mesh or geometry that can be read: give a .geo, "
-                                      ".msh, .step, .stp, .brep, .stl, .obj, .gltf, .glb, .ply or .fbx file",
+                                      ".msh, .h5, .step, .stp, .brep, .stl, .obj, .gltf, .glb, .ply or .fbx file",
                                       body.mesh.string()));
   }
   return found->second;
@@ -80,10 +82,7 @@ void set_orders(const scene::Body& body, MeshingRequest& request) {
 MeshingRequest request_of(const scene::Body& body) {
   MeshingRequest request;
   request.format = format_of(body);
-  if (!std::filesystem::is_regular_file(body.mesh)) {
-    throw deck::DeckError(body.mesh_where, fmt::format("there is no file {}; the path counts from the deck's folder",
-                                                       body.mesh.string()));
-  }
+  require_file(body);
   if (request.format != FileFormat::geo) {
     check_parameters(body, request.format);
   }
@@ -153,9 +152,7 @@ GmshMesh wall_of(const scene::Body& body, const MeshingAnswer& answer) {
   return thick_wall(body, surface);
 }
 
-}  // namespace
-
-GmshMesh load(const scene::Body& body, Answers& known) {
+GmshMesh load_by_gmsh(const scene::Body& body, Answers& known) {
   const MeshingAnswer answer = answer_to(body, known);
   std::vector<deck::Mistake> mistakes;
   for (const auto& [parameter, message] : answer.objections) {
@@ -165,12 +162,25 @@ GmshMesh load(const scene::Body& body, Answers& known) {
     throw deck::DeckError(mistakes);
   }
   GmshMesh result = body.thickness ? wall_of(body, answer) : extract(body, answer);
-  if (!body.regions.empty() && !body.has_layers()) {
-    result.mesh.regions = regions_by_group(body, result, answer.groups);
-  }
   result.made_here = format_of(body) != FileFormat::msh;
   result.mesh.notes = answer.notes;
   result.views = answer.views;
+  for (const GroupBlock& group : answer.groups) {
+    if (!group.elements.empty()) {
+      auto& elements = result.element_groups[name_of(group)];
+      elements.insert(elements.end(), group.elements.begin(), group.elements.end());
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+GmshMesh load(const scene::Body& body, Answers& known) {
+  GmshMesh result = is_mesh_file(body.mesh) ? load_mesh_file(body) : load_by_gmsh(body, known);
+  if (!body.regions.empty() && !body.has_layers()) {
+    result.mesh.regions = regions_by_group(body, result);
+  }
   return result;
 }
 

@@ -1,5 +1,5 @@
 #pragma once
-// What gmsh makes of a body's file, before checks and order.
+// What becomes of a body's file, most often by gmsh, before checks and order.
 
 #include <cstddef>
 #include <map>
@@ -15,10 +15,12 @@ namespace idiophone::mesh {
 /// parts.
 struct GmshMesh {
   Mesh mesh;
-  std::vector<std::size_t> node_tags;     ///< [nodes]
-  std::vector<std::size_t> element_tags;  ///< [elements]
-  std::vector<ViewBlock> views;           ///< of a .msh file
-  bool made_here = false;                 ///< from a geometry; false for a .msh file, whose nodes stay where they are
+  std::vector<std::size_t> node_tags;                              ///< [nodes]
+  std::vector<std::size_t> element_tags;                           ///< [elements]
+  std::map<std::string, std::vector<std::size_t>> element_groups;  ///< physical group -> tags of its elements, if any
+  std::vector<ViewBlock> views;                                    ///< of a .msh file
+  bool made_here = false;  ///< from a geometry; false for a mesh, whose nodes stay where they are
+  bool is_stored = false;  ///< from a mesh file of the program: its hexahedra are spectral ones already
 };
 
 /// Answers of idiophone_gmsh by the bytes of their requests. Bodies of the same shape share one.

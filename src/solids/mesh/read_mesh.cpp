@@ -6,6 +6,7 @@
 #include "checks.hpp"
 #include "hash.hpp"
 #include "idiophone/solids/mesh/faces.hpp"
+#include "idiophone/solids/mesh/mesh_file.hpp"
 #include "idiophone/solids/mesh/numbered_faces.hpp"
 #include "ordered.hpp"
 #include "spectral_hexahedra.hpp"
@@ -65,7 +66,7 @@ GmshMesh read_file(const scene::Body& body, Answers& known) {
   }
   put_in_place(body, loaded.mesh);
   drop_unused_nodes(body, loaded);
-  if (element::has_choice_of_orders(body.element)) {
+  if (element::has_choice_of_orders(body.element) && !loaded.is_stored) {
     loaded = spectral_mesh(body, loaded);
   }
   check(body, loaded);
@@ -90,7 +91,44 @@ Mesh read_mesh(const scene::Body& body, Answers& known) {
   return finished(body, loaded, ordered(loaded.mesh).mesh);
 }
 
+/// The layers of a wall, and the physical groups of elements; a layer comes before a group of its name.
+/// @param order  [elements] numbers before the elements were numbered along the curve
+std::map<std::string, std::vector<Index>> element_groups(const scene::Body& body, const GmshMesh& loaded,
+                                                         std::span<const Index> order) {
+  std::map<std::string, std::vector<Index>> layers, groups;
+  std::map<std::string, std::vector<std::size_t>> tags = loaded.element_groups;
+  for (auto& [name, members] : tags) {
+    std::ranges::sort(members);
+  }
+  for (std::size_t place = 0; place < order.size(); ++place) {
+    if (body.has_layers()) {
+      layers[body.regions[loaded.mesh.regions[order[place]]].name].push_back(static_cast<Index>(place));
+    }
+    for (const auto& [name, members] : tags) {
+      if (std::ranges::binary_search(members, loaded.element_tags[order[place]])) {
+        groups[name].push_back(static_cast<Index>(place));
+      }
+    }
+  }
+  layers.merge(groups);
+  return layers;
+}
+
 }  // namespace
+
+StoredMesh storable_mesh(const scene::Body& body) {
+  scene::Body bare = body;
+  bare.rotation = bare.position = Vector3::Zero();
+  bare.fixed.clear();
+  bare.driven.clear();
+  Answers known;
+  const GmshMesh loaded = read_file(bare, known);
+  OrderedMesh numbered = ordered(loaded.mesh);
+  StoredMesh stored{.body = body.name, .mesh = {}, .element_groups = element_groups(bare, loaded, numbered.elements)};
+  numbered.mesh.regions.clear();
+  stored.mesh = finished(bare, loaded, std::move(numbered.mesh));
+  return stored;
+}
 
 ValuedMesh read_mesh_with_values(const scene::Body& body) {
   Answers known;

@@ -4,11 +4,10 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <set>
+#include <ranges>
 #include <unordered_map>
 
 #include "checks.hpp"
-#include "group_name.hpp"
 #include "idiophone/foundation/deck/location.hpp"
 
 namespace idiophone::mesh {
@@ -17,39 +16,31 @@ namespace {
 
 constexpr Index no_region = -1;
 
-[[noreturn]] void refuse_group(const scene::Body& body, const scene::MaterialRegion& region,
-                               std::span<const GroupBlock> groups) {
-  std::set<std::string> names;
-  for (const GroupBlock& group : groups) {
-    if (!group.elements.empty()) {
-      names.insert(name_of(group));
-    }
-  }
+[[noreturn]] void refuse_group(const scene::Body& body, const scene::MaterialRegion& region, const GmshMesh& loaded) {
   const std::string kind = body.thickness ? "Surface" : "Volume";
   throw deck::DeckError(
-      region.where, fmt::format("bodies.{}.materials: the mesh has no physical group '{}' of elements of the body; {}",
-                                body.name, region.name,
-                                names.empty() ? fmt::format("it has none: define them by Physical {}(\"{}\") in gmsh",
-                                                            kind, region.name)
-                                              : fmt::format("it has: {}", fmt::join(names, ", "))));
+      region.where,
+      fmt::format("bodies.{}.materials: the mesh has no physical group '{}' of elements of the body; {}", body.name,
+                  region.name,
+                  loaded.element_groups.empty()
+                      ? fmt::format("it has none: define them by Physical {}(\"{}\") in gmsh", kind, region.name)
+                      : fmt::format("it has: {}", fmt::join(std::views::keys(loaded.element_groups), ", "))));
 }
 
-/// Places of the elements of a region's group, which a mesh may give in several pieces.
-std::vector<Index> elements_of(const scene::Body& body, const scene::MaterialRegion& region,
-                               std::span<const GroupBlock> groups,
-                               const std::unordered_map<std::uint64_t, Index>& place_of_tag) {
+/// Places of the elements of a region's group.
+std::vector<Index> elements_of(const scene::Body& body, const scene::MaterialRegion& region, const GmshMesh& loaded,
+                               const std::unordered_map<std::size_t, Index>& place_of_tag) {
+  const auto group = loaded.element_groups.find(region.name);
   std::vector<Index> elements;
-  for (const GroupBlock& group : groups) {
-    if (name_of(group) == region.name) {
-      for (const std::uint64_t tag : group.elements) {
-        if (const auto found = place_of_tag.find(tag); found != place_of_tag.end()) {
-          elements.push_back(found->second);
-        }
+  if (group != loaded.element_groups.end()) {
+    for (const std::size_t tag : group->second) {
+      if (const auto found = place_of_tag.find(tag); found != place_of_tag.end()) {
+        elements.push_back(found->second);
       }
     }
   }
   if (elements.empty()) {
-    refuse_group(body, region, groups);
+    refuse_group(body, region, loaded);
   }
   return elements;
 }
@@ -68,16 +59,15 @@ void refuse_elements_without_material(const scene::Body& body, const GmshMesh& l
 
 }  // namespace
 
-std::vector<Index> regions_by_group(const scene::Body& body, const GmshMesh& loaded,
-                                    std::span<const GroupBlock> groups) {
-  std::unordered_map<std::uint64_t, Index> place_of_tag;
+std::vector<Index> regions_by_group(const scene::Body& body, const GmshMesh& loaded) {
+  std::unordered_map<std::size_t, Index> place_of_tag;
   for (std::size_t element = 0; element < loaded.element_tags.size(); ++element) {
     place_of_tag.emplace(loaded.element_tags[element], static_cast<Index>(element));
   }
   std::vector<Index> regions(loaded.element_tags.size(), no_region);
   for (Index number = 0; number < std::ssize(body.regions); ++number) {
     const scene::MaterialRegion& region = body.regions[number];
-    for (const Index element : elements_of(body, region, groups, place_of_tag)) {
+    for (const Index element : elements_of(body, region, loaded, place_of_tag)) {
       if (regions[element] != no_region && regions[element] != number) {
         throw deck::DeckError(
             region.where,

@@ -1,20 +1,16 @@
 #pragma once
 // Which elements of a mesh have which material, by its physical groups.
 
-#include <span>
 #include <vector>
 
 #include "gmsh_mesh.hpp"
 
 namespace idiophone::mesh {
 
-/// @param loaded  nodes and elements, in gmsh's order
-/// @param groups  of the file
+/// @param loaded  nodes, elements and groups, in the file's order
 /// @return [elements] as Mesh::regions
 /// @throws deck::DeckError, pointing at the region, when the file has no such group of elements, or an element is in
-/// two
-///         regions; pointing at the first one, when elements are in none. It names elements and groups.
-[[nodiscard]] std::vector<Index> regions_by_group(const scene::Body& body, const GmshMesh& loaded,
-                                                  std::span<const GroupBlock> groups);
+///         two regions; pointing at the first one, when elements are in none. It names elements and groups.
+[[nodiscard]] std::vector<Index> regions_by_group(const scene::Body& body, const GmshMesh& loaded);
 
 }  // namespace idiophone::mesh

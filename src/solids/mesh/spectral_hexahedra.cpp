@@ -132,6 +132,7 @@ class NodeNumbers {
     }
     result.mesh.element = body.element;
     result.element_tags = geometry.element_tags;
+    result.element_groups = geometry.element_groups;
     result.made_here = geometry.made_here;
     result.mesh.notes = geometry.mesh.notes;
     result.mesh.regions = geometry.mesh.regions;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <ranges>
 #include <stdexcept>
 
 #include "idiophone/files/attributes.hpp"
@@ -19,6 +20,7 @@
 #include "idiophone/run/results/checkpoint_format.hpp"
 #include "idiophone/run/results/describe_file.hpp"
 #include "idiophone/run/results/surface_motion_reader.hpp"
+#include "idiophone/solids/mesh/mesh_file.hpp"
 
 namespace idiophone::contents {
 
@@ -112,6 +114,18 @@ std::string describe_radiation(hid_t file, const std::filesystem::path& path) {
       rows("/surface/triangles"), fmt::join(hdf5::texts_in(file, "/surface/parts"), ", "), rows("/sphere/direction"));
 }
 
+std::string describe_mesh(hid_t file, const std::filesystem::path& path) {
+  const mesh::StoredMesh stored = mesh::read_mesh_file(path);
+  const auto names = [](const auto& groups) { return fmt::format("{}", fmt::join(std::views::keys(groups), ", ")); };
+  return fmt::format(
+      "{}: mesh of the body '{}' of the deck '{}', written by idiophone {} (format version {}), mesh {}\n"
+      "  {} nodes, {} {} elements, {} surface triangles\n  groups: {}\n  groups of elements: {}\n",
+      path.string(), stored.body, hdf5::text_of(file, "name"), hdf5::text_of(file, "code_version"),
+      files::version_of(files::mesh_format), stored.mesh.hash, stored.mesh.nodes.size(), stored.mesh.element_count(),
+      element::name(stored.mesh.element), stored.mesh.surface.size(), names(stored.mesh.groups),
+      names(stored.element_groups));
+}
+
 std::string describe_checkpoint(hid_t file, const std::filesystem::path& path) {
   const auto moment = results::read_moment(file);
   auto text =
@@ -185,6 +199,7 @@ std::string description_of(const std::filesystem::path& path) {
               : format == files::surface_motion_format ? describe_recording(path)
               : format == files::sound_map_format      ? describe_sound_map(path)
               : format == files::radiation_format      ? describe_radiation(file.id(), path)
+              : format == files::mesh_format           ? describe_mesh(file.id(), path)
                                                        : describe_checkpoint(file.id(), path);
   text += describe_run(file.id());
   for (const auto& [name, line] : dataset_lines(file.id(), path)) {
