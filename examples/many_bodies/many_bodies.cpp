@@ -129,7 +129,11 @@ int fall(SNDFILE* file, int count, double seconds, double budget, const std::vec
   const engines::MapFacts facts = engines::facts_of(maps.front());
   const engines::Surface body{.young = facts.young, .poisson = facts.poisson, .radius = 0.01};
   const engines::Surface wood{.young = 1e10, .radius = 0.1, .height = 1e-5};
-  engines::EngineStage stage({.rate = rate, .ears = {{-0.1, -2, 1}, {0.1, -2, 1}}, .latency = 0, .budget = budget},
+  engines::EngineStage stage({.rate = rate,
+                              .ears = {{-0.1, -2, 1}, {0.1, -2, 1}},
+                              .latency = 0,
+                              .budget = budget,
+                              .speed = engines::measured_speed()},
                              bodies, {body, wood});
   Pit pit(maps, count);
   std::vector<float> sound(frames * channels);

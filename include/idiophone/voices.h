@@ -41,6 +41,7 @@ typedef struct {
 typedef struct {
   double latency; /* s */
   double budget;  /* processor time per time of sound; 0: no limit */
+  double speed;   /* of the machine, for the budget: idiophone_measured_speed(); 0: 1 */
   uint64_t seed;
   const double* ears;   /* x, y, z of each, m */
   int32_t ear_count;    /* 1 to 4; the channels */
@@ -74,6 +75,9 @@ typedef struct {
 /* Why the last function that failed in this thread did so; never null. Valid until the next one fails. */
 IDIOPHONE_API const char* idiophone_message(void);
 
+/* How fast this machine computes sound maps; 1: as the one for which costs are known. Takes some 0.1 s. */
+IDIOPHONE_API idiophone_status idiophone_measured_speed(double* speed);
+
 IDIOPHONE_API idiophone_status idiophone_map_read(const char* file, idiophone_map** map);
 IDIOPHONE_API idiophone_status idiophone_map_from_bytes(const void* bytes, uint64_t size, idiophone_map** map);
 /* A stage keeps what it needs of its maps. Null is allowed. */
@@ -85,6 +89,10 @@ IDIOPHONE_API idiophone_status idiophone_stage_create(const idiophone_options* o
                                                       idiophone_stage** stage);
 /* Null is allowed. */
 IDIOPHONE_API void idiophone_stage_free(idiophone_stage* stage);
+
+/* A body joins; body: its number, the lowest that is free. Who leaves fades, and its number is free then. */
+IDIOPHONE_API idiophone_status idiophone_stage_add(idiophone_stage* stage, const idiophone_map* map, int32_t* body);
+IDIOPHONE_API idiophone_status idiophone_stage_remove(idiophone_stage* stage, int32_t body);
 
 /* position: x, y, z; turn: unit quaternion x, y, z, w */
 IDIOPHONE_API idiophone_status idiophone_stage_place(idiophone_stage* stage, int32_t body, const double* position,

@@ -35,6 +35,7 @@ int main(int count, char** arguments) {
   double power = 0.0;
   float sound[frames];
   int step, i;
+  int32_t joined = -1;
 
   memset(&options, 0, sizeof options);
   options.seed = 1;
@@ -42,9 +43,11 @@ int main(int count, char** arguments) {
   options.ear_count = 1;
   options.rate = rate;
   options.most_strokes = 4;
+  if (idiophone_measured_speed(&options.speed) != IDIOPHONE_OK) return fail();
   if (count < 2 || idiophone_map_read(arguments[1], &map) != IDIOPHONE_OK) return fail();
   if (idiophone_stage_create(&options, (const idiophone_map* const*)&map, 1, &steel, 1, &stage) != IDIOPHONE_OK)
     return fail();
+  if (idiophone_stage_add(stage, map, &joined) != IDIOPHONE_OK || joined != 1) return fail();
   idiophone_map_free(map);
   for (step = 0; step < steps; ++step) {
     const idiophone_contact contact = contact_at(step);
@@ -53,6 +56,8 @@ int main(int count, char** arguments) {
     if (idiophone_stage_render(stage, sound, frames, 1.0) != IDIOPHONE_OK) return fail();
     for (i = 0; i < frames; ++i) power += (double)sound[i] * sound[i];
   }
+  if (idiophone_stage_remove(stage, joined) != IDIOPHONE_OK) return fail();
+  if (idiophone_stage_remove(stage, joined) != IDIOPHONE_BAD_ARGUMENT) return 3;
   if (idiophone_stage_report(stage, &report) != IDIOPHONE_OK) return fail();
   if (idiophone_stage_step(stage, -1.0) != IDIOPHONE_BAD_ARGUMENT) return 2;
   printf("%d impacts, %d strokes, %.6g; %s\n", (int)report.impacts, (int)report.strokes, power, idiophone_message());

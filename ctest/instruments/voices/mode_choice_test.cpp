@@ -195,7 +195,7 @@ TEST(ModeChoice, LeavesOutWhatIsMasked) {
   const std::vector<sound_maps::SoundMap> maps = tones({{1000.0, 0.0}, {1060.0, -25.0}, {5000.0, -40.0}});
   Stand full(maps, {.budget = no_limit});
   const std::vector<double> expected = full.render(24000);
-  const double for_two = 0.7 * full.maps().take_choices()[20].cost;
+  const double for_two = 0.8 * full.maps().take_choices()[20].cost;
   for (const bool masking : {true, false}) {
     Stand limited(maps, {.budget = for_two, .priority = proxies::Priority::audibility, .masking = masking});
     std::vector<double> found = limited.render(24000);
@@ -225,8 +225,16 @@ TEST(ModeChoice, BodyOfTheGreatestPriorityIsHeard) {
   level.level = 1;
   limited.stage().perform({.start = limited.stage().now(), .body = 0, .action = budget});
   EXPECT_EQ(heard(), 0);
+  static_cast<void>(limited.maps().take_choices());
   limited.stage().perform({.start = limited.stage().now(), .body = 1, .action = priority});
   EXPECT_EQ(heard(), 1);
+  int waits = 0;  // in which the one fades and the other is not heard yet
+  for (const MapChoice& choice : limited.maps().take_choices()) {
+    EXPECT_LE(choice.cost, for_one);
+    EXPECT_GT(choice.cost, 0.4 * for_one);
+    waits += choice.heard == 0 ? 1 : 0;
+  }
+  EXPECT_EQ(waits, 1);
   EXPECT_THROW(limited.stage().perform({.start = 0, .body = 1, .action = level}), std::runtime_error);
 }
 
@@ -239,7 +247,8 @@ TEST(ModeChoice, GivesWayToProxiesOfGreaterPriority) {
   const MapChoice last = limited.maps().take_choices().back();
   EXPECT_EQ(last.sounding, 2U);
   EXPECT_EQ(last.silent, 1U);
-  EXPECT_NEAR(shared->maps.at_least(0.0), last.cost, 1e-12);
+  EXPECT_LE(shared->maps.at_least(0.0), last.cost);
+  EXPECT_GT(shared->maps.at_least(0.0), 0.5 * last.cost) << "without the choice itself";
   EXPECT_EQ(shared->maps.at_least(0.1), 0.0);
 }
 

@@ -110,6 +110,9 @@ StageOptions options_of(const idiophone_options& options) {
   if (options.budget != 0.0) {
     found.budget = options.budget;
   }
+  if (options.speed != 0.0) {
+    found.speed = options.speed;
+  }
   return found;
 }
 
@@ -138,6 +141,13 @@ extern "C" {
 
 const char* idiophone_message() {
   return last_message().c_str();
+}
+
+idiophone_status idiophone_measured_speed(double* speed) {
+  return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
+    require(speed, "the speed");
+    *speed = measured_speed();
+  });
 }
 
 idiophone_status idiophone_map_read(const char* file, idiophone_map** map) {
@@ -184,6 +194,22 @@ idiophone_status idiophone_stage_create(const idiophone_options* options, const 
 
 void idiophone_stage_free(idiophone_stage* stage) {
   delete stage;
+}
+
+idiophone_status idiophone_stage_add(idiophone_stage* stage, const idiophone_map* map, int32_t* body) {
+  return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
+    require(stage, "the stage");
+    require(map, "the map");
+    require(body, "the number of the body");
+    *body = static_cast<int32_t>(stage->stage.add(map->map));
+  });
+}
+
+idiophone_status idiophone_stage_remove(idiophone_stage* stage, int32_t body) {
+  return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
+    require(stage, "the stage");
+    stage->stage.remove(count_of(body, "the number of the body"));
+  });
 }
 
 idiophone_status idiophone_stage_place(idiophone_stage* stage, int32_t body, const double* position,

@@ -7,6 +7,7 @@
 #include <atomic>
 #include <cmath>
 #include <iterator>
+#include <stdexcept>
 #include <utility>
 
 #include "idiophone/instruments/touching/contact_sounds.hpp"
@@ -48,6 +49,12 @@ class EngineStage::Parts {
         bodies(checked(maps), vectors_of(options.ears), options),
         sounds(checked(std::move(surfaces)), masses_of(maps), options.rate,
                std::min(options.most_strokes, bodies.most_strokes()), options.seed) {}
+
+  void require_body(std::size_t body) const {
+    if (!bodies.has(body)) {
+      throw std::runtime_error(fmt::format("there is no body {}", body));
+    }
+  }
 
   /// Where contacts are now. @return whether anybody hears them
   bool keep_time(double duration) {
@@ -99,8 +106,22 @@ std::size_t EngineStage::channels() const {
   return parts_->channels;
 }
 
+std::size_t EngineStage::add(const SharedMap& map) {
+  require(map != nullptr, "a body has no map");
+  const std::size_t body = parts_->bodies.add(map);
+  parts_->sounds.join(body, map->mass);
+  return body;
+}
+
+void EngineStage::remove(std::size_t body) {
+  parts_->require_body(body);
+  parts_->bodies.remove(body);
+  parts_->sounds.leave(body);
+}
+
 void EngineStage::place(std::size_t body, const Pose& pose) {
   check_pose(body, pose, parts_->bodies.size());
+  parts_->require_body(body);
   parts_->bodies.place(body, pose);
 }
 
@@ -111,6 +132,11 @@ void EngineStage::listen(std::span<const Triple> ears) {
 
 void EngineStage::contact(const ContactEvent& event) {
   check_event(event, parts_->bodies.size(), parts_->surface_count);
+  for (const std::int32_t body : event.bodies) {
+    if (body != ContactEvent::nobody) {
+      parts_->require_body(static_cast<std::size_t>(body));
+    }
+  }
   parts_->events.push_back(event);
 }
 

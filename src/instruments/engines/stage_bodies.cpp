@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <utility>
 
 #include "map_loudness.hpp"
@@ -12,7 +11,9 @@ namespace idiophone::engines {
 
 namespace {
 
-// Shares of the budget. The rest is for what rings.
+// Of the budget. The rest is for blows between two choices, and for caches that many bodies share.
+constexpr double share_to_spend = 0.85;
+// Of what is spent. The rest is for what rings.
 constexpr double share_of_struck = 0.5;
 constexpr double share_of_strokes = 0.25;
 
@@ -41,33 +42,53 @@ voices::Audience audience_at(const std::vector<Vector3>& ears) {
 }  // namespace
 
 StageBodies::StageBodies(const std::vector<SharedMap>& maps, std::vector<Vector3> ears, const StageOptions& options)
-    : budget_(options.budget),
+    : budget_(share_to_spend * options.budget),
+      rate_(options.rate),
       ears_(std::move(ears)),
       voices_(maps, audience_at(first_ears(ears_, maps)), options.rate,
-              {.budget = options.budget, .priority = proxies::Priority::audibility, .most_commands = most_commands}),
-      struck_(share_of_struck * budget_, costs()) {
+              {.budget = budget_,
+               .speed = options.speed * voices::usual_speed,
+               .priority = proxies::Priority::audibility,
+               .most_commands = most_commands}),
+      struck_(share_of_struck * budget_) {
   const std::vector<Vector3> first = first_ears(ears_, maps);
-  std::map<SharedMap, double> loudness;
-  for (const SharedMap& map : maps) {
-    if (!loudness.contains(map)) {
-      loudness[map] = loudness_of(*map);
-    }
-    bodies_.emplace_back(*map, loudness[map], first, options.rate);
+  for (std::size_t body = 0; body < maps.size(); ++body) {
+    join(body, maps[body], first);
   }
 }
 
-std::vector<double> StageBodies::costs() const {
-  std::vector<double> costs;
-  for (std::size_t body = 0; body < voices_.bodies().size(); ++body) {
-    costs.push_back(voices_.cost_of_driven(body));
+/// @param ears  as the voices know them
+void StageBodies::join(std::size_t body, const SharedMap& map, std::span<const Vector3> ears) {
+  if (!loudness_.contains(map)) {
+    loudness_.emplace(map, loudness_of(*map));
   }
-  return costs;
+  bodies_.resize(std::max(bodies_.size(), body + 1));
+  bodies_[body].emplace(*map, loudness_.find(map)->second, ears, rate_);
+  struck_.join(body, voices_.cost_of_driven(body));
+}
+
+std::size_t StageBodies::add(const SharedMap& map) {
+  const std::vector<Vector3> ears = first_ears(ears_, {map});
+  std::vector<voices::HearingPoint> points;
+  for (const Vector3& ear : ears) {
+    points.push_back({.position = ear});
+  }
+  const std::size_t body = voices_.add(map, std::move(points));
+  join(body, map, ears);
+  return body;
+}
+
+void StageBodies::remove(std::size_t body) {
+  voices_.remove(body);
+  bodies_[body].reset();
 }
 
 std::size_t StageBodies::most_strokes() const {
-  const std::vector<double> all = costs();
-  const double strokes = share_of_strokes * budget_ / (2.0 * std::ranges::max(all));
-  return static_cast<std::size_t>(std::clamp(strokes, 1.0, 1e9));
+  double most = 0.0;  // that a body costs
+  for (std::size_t body = 0; body < bodies_.size(); ++body) {
+    most = std::max(most, voices_.cost_of_driven(body));
+  }
+  return static_cast<std::size_t>(std::clamp(share_of_strokes * budget_ / (2.0 * most), 1.0, 1e9));
 }
 
 /// Forces on bodies for which there is room, in the coordinates of the bodies: [bodies].
@@ -76,11 +97,11 @@ std::vector<drivers::Excitation> StageBodies::chosen(std::span<const ContactForc
   std::vector<double> loudness(bodies_.size(), -1.0);
   for (const ContactForce& force : forces) {
     for (std::size_t side = 0; side < 2; ++side) {
-      if (force.bodies[side] != ContactEvent::nobody) {
-        const auto body = static_cast<std::size_t>(force.bodies[side]);
-        resonators::PointForce& added = excitations[body].forces.emplace_back(bodies_[body].in_body(force.force));
+      const auto body = static_cast<std::size_t>(force.bodies[side]);
+      if (force.bodies[side] != ContactEvent::nobody && has(body)) {
+        resonators::PointForce& added = excitations[body].forces.emplace_back(bodies_[body]->in_body(force.force));
         added.direction *= side == 0 ? 1.0 : -1.0;
-        loudness[body] = std::max(loudness[body], bodies_[body].loudness(force.impulse, ears_));
+        loudness[body] = std::max(loudness[body], bodies_[body]->loudness(force.impulse, ears_));
       }
     }
   }
@@ -96,10 +117,9 @@ std::vector<drivers::Excitation> StageBodies::chosen(std::span<const ContactForc
 void StageBodies::send(std::span<const ContactForce> forces, std::int64_t start, std::int64_t length) {
   const std::vector<drivers::Excitation> excitations = chosen(forces, start);
   for (std::size_t body = 0; body < bodies_.size(); ++body) {
-    send(body, excitations[body], start, length);
-  }
-  if (std::isfinite(budget_)) {
-    voices_.set_budget(std::max(0.0, budget_ - struck_.cost_after_forces(start)), start);
+    if (has(body)) {
+      send(body, excitations[body], start, length);
+    }
   }
 }
 
@@ -109,12 +129,12 @@ void StageBodies::send(std::size_t body, const drivers::Excitation& excitation, 
   const MovingBody::Part part = is_struck                ? MovingBody::Part::struck
                                 : voices_.is_heard(body) ? MovingBody::Part::heard
                                                          : MovingBody::Part::unheard;
-  if (const auto place = bodies_[body].follow(ears_, start, length, part)) {
+  if (const auto place = bodies_[body]->follow(ears_, start, length, part)) {
     voices_.hear_at(body, *place);
   }
   for (const resonators::PointForce& force : excitation.forces) {
     const std::int64_t end = force.start + static_cast<std::int64_t>(force.force.size());
-    bodies_[body].sound_until(end);
+    bodies_[body]->sound_until(end);
     struck_.act(body, end);
   }
   if (is_struck) {

@@ -3,6 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -23,10 +26,18 @@ class StageBodies {
   /// @param ears  [channels] at first, m
   StageBodies(const std::vector<SharedMap>& maps, std::vector<Vector3> ears, const StageOptions& options);
 
+  /// Whether a body has this number.
+  [[nodiscard]] bool has(std::size_t number) const { return number < bodies_.size() && bodies_[number].has_value(); }
+  /// Numbers that bodies have or had.
   [[nodiscard]] std::size_t size() const { return bodies_.size(); }
+
+  /// @param map  not null @return the number of the body, the lowest that is free
+  std::size_t add(const SharedMap& map);
+  /// It fades, and its number is free then.
+  void remove(std::size_t body);
   [[nodiscard]] voices::SoundMapVoices& voices() { return voices_; }
 
-  void place(std::size_t body, const Pose& pose) { bodies_[body].place(pose); }
+  void place(std::size_t body, const Pose& pose) { bodies_[body]->place(pose); }
   /// @param ears  [channels] m
   void listen(std::vector<Vector3> ears) { ears_ = std::move(ears); }
 
@@ -42,14 +53,16 @@ class StageBodies {
   [[nodiscard]] std::size_t most_strokes() const;
 
  private:
-  [[nodiscard]] std::vector<double> costs() const;
+  void join(std::size_t body, const SharedMap& map, std::span<const Vector3> ears);
   [[nodiscard]] std::vector<drivers::Excitation> chosen(std::span<const ContactForce> forces, std::int64_t start);
   void send(std::size_t body, const drivers::Excitation& excitation, std::int64_t start, std::int64_t length);
 
   double budget_;
+  int rate_;
   std::vector<Vector3> ears_;  // in the world
   voices::SoundMapVoices voices_;
-  std::vector<MovingBody> bodies_;
+  std::vector<std::optional<MovingBody>> bodies_;  // by number; none: free, or it fades
+  std::map<std::weak_ptr<const sound_maps::SoundMap>, double, std::owner_less<>> loudness_;  // loudness_of()
   StruckBodies struck_;
   std::uint64_t left_out_ = 0;
 };

@@ -41,6 +41,8 @@ StageOptions checked(StageOptions options) {
   require(!options.ears.empty() && options.ears.size() <= most_channels, "a stage has 1 to 4 ears");
   require(options.latency >= 0.0 && options.latency <= 1.0, "the latency has to be from 0 to 1 s");
   require(options.budget >= 0.0, "the budget must not be below 0");
+  require(options.speed >= least_speed && options.speed <= most_speed,
+          "the speed of the machine has to be from 0.001 to 1000");
   return options;
 }
 

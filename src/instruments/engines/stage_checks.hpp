@@ -9,7 +9,8 @@
 
 namespace idiophone::engines {
 
-inline constexpr double largest_number = 1e6;  ///< of an event or a place, in its unit
+inline constexpr double largest_number = 1e6;                  ///< of an event or a place, in its unit
+inline constexpr double least_speed = 1e-3, most_speed = 1e3;  ///< of the machine
 
 void require(bool good, const std::string& problem);
 /// The same for the audio thread: a text takes memory only if it is needed.

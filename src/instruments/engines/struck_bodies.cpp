@@ -8,14 +8,13 @@ namespace idiophone::engines {
 
 namespace {
 
-constexpr std::int64_t choice = voices::MapChoice::interval, choice_and_fade = 2 * choice;
+constexpr std::int64_t choice_and_fade = 2 * voices::MapChoice::interval;
 
 }  // namespace
 
-StruckBodies::StruckBodies(double budget, std::vector<double> costs) : budget_(budget) {
-  for (const double cost : costs) {
-    bodies_.push_back({.cost = cost});
-  }
+void StruckBodies::join(std::size_t body, double cost) {
+  bodies_.resize(std::max(bodies_.size(), body + 1));
+  bodies_[body] = {.cost = cost};
 }
 
 std::vector<bool> StruckBodies::choose(std::span<const double> loudness, std::int64_t start) {
@@ -48,14 +47,6 @@ double StruckBodies::cost_of_others(std::size_t body, double loudness, std::int6
   for (std::size_t other = 0; other < bodies_.size(); ++other) {
     const Body& one = bodies_[other];
     sum += other != body && one.end > sample && one.loudness >= loudness ? one.cost : 0.0;
-  }
-  return sum;
-}
-
-double StruckBodies::cost_after_forces(std::int64_t sample) const {
-  double sum = 0.0;
-  for (const Body& body : bodies_) {
-    sum += body.end > sample && body.end - choice_and_fade < sample + choice ? body.cost : 0.0;
   }
   return sum;
 }

@@ -13,8 +13,10 @@ namespace idiophone::engines {
 class StruckBodies {
  public:
   /// @param budget  processor time per time of sound; may be infinite
-  /// @param costs   [bodies] of those that are struck, likewise
-  StruckBodies(double budget, std::vector<double> costs);
+  explicit StruckBodies(double budget) : budget_(budget) {}
+
+  /// A body gets a number. @param cost  while it is struck, processor time per time of sound
+  void join(std::size_t body, double cost);
 
   /// The bodies for which there is room beside those that are struck as loudly. What is struck less loudly takes no
   /// room from them: while it fades, the cost is above the budget. One body has room alone, whatever it costs.
@@ -25,13 +27,9 @@ class StruckBodies {
   /// The force on a chosen body acts until an audio sample.
   void act(std::size_t body, std::int64_t end);
 
-  /// Of the bodies that are struck at an audio sample and whose forces are over at the next choice, which counts all
-  /// others itself.
-  [[nodiscard]] double cost_after_forces(std::int64_t sample) const;
-
  private:
   struct Body {
-    double cost;
+    double cost = 0.0;
     double loudness = 0.0;  ///< of the loudest force since it was not struck
     std::int64_t end = 0;   ///< audio sample at which the forces are over and what they left has faded
   };

@@ -24,9 +24,10 @@ ModeGroup advanced(ModeGroup state, ModeGroup turn, std::size_t samples) {
 
 void ResonatorBank::choose(std::span<const char> heard, std::size_t fade) {
   catch_up();
+  silence_modes();
   has_choice_ = false;
   for (std::size_t group = 0; group < groups(); ++group) {
-    const bool was_heard = parts_[group] == Part::heard || parts_[group] == Part::returns;
+    const bool was_heard = hears(group);
     parts_[group] =
         heard[group] != 0 ? (was_heard ? Part::heard : Part::returns) : (was_heard ? Part::leaves : Part::unheard);
     has_choice_ |= parts_[group] != Part::heard;

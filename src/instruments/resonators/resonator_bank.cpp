@@ -151,9 +151,14 @@ void ResonatorBank::silence() {
   if (stretching_) {
     stretching_->rest_if_small();
   }
+  silence_modes();
+}
+
+void ResonatorBank::silence_modes() {
   constexpr double inaudible = 1e-40;  // (m sqrt(kg)/s)^2
   for (std::size_t group = 0; group < groups(); ++group) {
-    if (moving_[group] == 0) {
+    const bool is_old = parts_[group] == Part::unheard && unheard_ > 0;  // the state is of a sample before
+    if (moving_[group] == 0 || is_old) {
       continue;
     }
     ModePack left{};  // energy of the modes that go on

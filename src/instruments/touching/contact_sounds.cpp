@@ -66,6 +66,21 @@ std::vector<ContactForce> ContactSounds::step(std::span<const ContactEvent> even
   return forces;
 }
 
+void ContactSounds::join(std::size_t body, double mass) {
+  masses_.resize(std::max(masses_.size(), body + 1));
+  masses_[body] = mass;
+}
+
+void ContactSounds::leave(std::size_t body) {
+  for (auto& [number, contact] : contacts_) {
+    if (std::ranges::find(contact.last.bodies, static_cast<std::int32_t>(body)) != contact.last.bodies.end()) {
+      contact.track = {};
+      contact.last.slip = {};
+      contact.last.roll = 0.0;
+    }
+  }
+}
+
 /// One event of each contact: impulses of a step are added up.
 void ContactSounds::gather(std::span<const ContactEvent> events) {
   for (auto& [number, contact] : contacts_) {

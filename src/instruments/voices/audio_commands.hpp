@@ -66,6 +66,7 @@ struct ReceptionChange {
   std::int64_t start = 0;   ///< audio sample; later if the present one or another change is not over then
   std::int64_t length = 1;  ///< audio samples
   Reception reception;
+  bool leaves = false;  ///< for good: no other change follows
 };
 
 /// The modes get other frequencies and decay rates. What sounds goes on.

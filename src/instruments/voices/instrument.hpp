@@ -25,6 +25,7 @@ class Instrument {
   void tune(const score::Tuning& tuning);
 
   [[nodiscard]] const sound_maps::SoundMap& map() const { return *prepared_->map; }
+  [[nodiscard]] const std::shared_ptr<const PreparedMap>& prepared() const { return prepared_; }
   [[nodiscard]] int rate() const { return rate_; }
   /// That are not silent.
   [[nodiscard]] std::size_t modes() const;

@@ -143,6 +143,16 @@ void MapBody::hear_at(const ListenerPlace& place) {
   attend();
 }
 
+void MapBody::leave() {
+  auto change = std::make_unique<ReceptionChange>();
+  change->length = MapChoice::interval;
+  change->reception = reception();
+  std::ranges::fill(change->reception.gains, resonators::ModeGroup{});
+  change->leaves = true;
+  queued_.emplace_back(std::move(change));
+  attend();
+}
+
 void MapBody::attend() {
   player_.collect();
   while (!queued_.empty() && player_.send(queued_.front())) {

@@ -22,6 +22,7 @@ class MapBody {
           const MapDetail& detail);
 
   [[nodiscard]] const sound_maps::SoundMap& map() const { return instrument_.map(); }
+  [[nodiscard]] const std::shared_ptr<const PreparedMap>& prepared() const { return instrument_.prepared(); }
 
   /// As those of Voice.
   void require_in_reach(const Vector3& place) const;
@@ -32,6 +33,9 @@ class MapBody {
   void lead(const drivers::TouchLead& lead, std::int64_t start);
   void hear_at(const ListenerPlace& place);
   void attend();
+
+  /// It fades to silence at once, until Player::has_left(). What is asked for later is not heard.
+  void leave();
 
   /// See Instrument. @throws std::runtime_error when no mode sounds
   [[nodiscard]] resonators::ContactPoint contact_point(const Vector3& at, const Vector3& direction) const;

@@ -67,12 +67,15 @@ void MappedSound::measure(std::span<double> power) {
 }
 
 void MappedSound::begin(const ReceptionChange& change, std::int64_t sample) {
-  if (changing_) {
+  if (is_changing(sample)) {
+    stop_change(share(sample));
+  } else if (changing_) {
     end_change();
   }
   std::ranges::copy(change.reception.gains, gains_.begin() + static_cast<std::ptrdiff_t>(outputs_ * bank_.groups()));
   next_delay_ = change.reception.delay;
   listener_ = change.reception.listener;
+  leaves_ = change.leaves;
   if (head_) {
     head_->begin(change.reception.head);
   }
@@ -89,6 +92,22 @@ void MappedSound::end_change() {
     head_->end();
   }
   changing_ = false;
+}
+
+/// What is heard at this share of the change goes on.
+void MappedSound::stop_change(double share) {
+  const std::size_t count = outputs_ * bank_.groups();
+  for (std::size_t i = 0; i < count; ++i) {
+    resonators::ModeGroup& present = gains_[i];
+    const resonators::ModeGroup& next = gains_[count + i];
+    for (std::size_t p = 0; p < resonators::packs_in_group; ++p) {
+      present.real[p] += share * (next.real[p] - present.real[p]);
+      present.imaginary[p] += share * (next.imaginary[p] - present.imaginary[p]);
+    }
+  }
+  for (std::size_t r = 0; r < receivers_; ++r) {
+    delay_[r] += share * (next_delay_[r] - delay_[r]);
+  }
 }
 
 double MappedSound::share(std::int64_t sample) const {
@@ -119,7 +138,9 @@ void MappedSound::render(std::int64_t first, std::span<const resonators::Drive> 
   const resonators::BodyInContact body = begin_contact(first, drives, samples);
   if (drives.empty() && !bank_.is_heard()) {
     bank_.rest(samples);
-    std::fill_n(emitted_.begin() + static_cast<std::ptrdiff_t>(done_ * receivers_), samples * receivers_, Emitted{});
+    if (emits_ || head_) {
+      std::fill_n(emitted_.begin() + static_cast<std::ptrdiff_t>(done_ * receivers_), samples * receivers_, Emitted{});
+    }
   } else {
     if (bank_.stretches(drives)) {
       resonators::advance_together({&body, 1}, contacts);

@@ -56,11 +56,19 @@ class MappedSound {
   /// Where the present change ends, audio sample.
   [[nodiscard]] std::int64_t change_end() const { return change_end_; }
 
-  /// Begins a change at this audio sample, when none is going on. Realtime-safe.
+  /// Whether a change for good has begun, or is over.
+  [[nodiscard]] bool leaves() const { return leaves_; }
+  [[nodiscard]] bool has_left() const { return leaves_ && !changing_; }
+
+  /// Begins a change at this audio sample. Without a head, another one may be going on: it stops where it is.
+  /// Realtime-safe.
   void begin(const ReceptionChange& change, std::int64_t sample);
 
   /// See ResonatorBank. Realtime-safe.
   void retune(std::span<const resonators::ModeGroup> turns, double size);
+
+  /// See ResonatorBank.
+  [[nodiscard]] bool hears(std::size_t group) const { return bank_.hears(group); }
 
   /// Whether it moves, heard or not.
   [[nodiscard]] bool sounds() const { return bank_.sounds(); }
@@ -89,6 +97,7 @@ class MappedSound {
 
  private:
   void end_change();
+  void stop_change(double share);
   void find_bins();
   [[nodiscard]] std::size_t present_outputs() const { return changing_ ? 2 * outputs_ : outputs_; }
   void emit(std::int64_t first, std::size_t samples);
@@ -112,6 +121,7 @@ class MappedSound {
   std::array<double, most_receivers> delay_{}, next_delay_{};
   std::int64_t change_start_ = 0, change_end_ = 0;
   bool changing_ = false;
+  bool leaves_ = false;
   std::optional<Arrivals> arrivals_;  // at the middle of the head
   std::optional<HeadFilter> head_;
 };

@@ -104,10 +104,12 @@ bool Player::perform(Command& command, std::int64_t sample) {
     return has_room;
   }
   if (const auto* change = std::get_if<std::unique_ptr<ReceptionChange>>(&command)) {
-    if (sound_.is_changing(sample)) {
+    if (sound_.is_changing(sample) && !(*change)->leaves) {
       return false;
     }
-    sound_.begin(**change, sample);
+    if (!sound_.leaves()) {
+      sound_.begin(**change, sample);
+    }
   } else if (const auto* retuning = std::get_if<std::unique_ptr<Retuning>>(&command)) {
     retune(**retuning);
   } else {
@@ -215,6 +217,9 @@ void Player::begin_and_end_due(std::int64_t sample) {
 void Player::render(std::int64_t sample, std::span<double> sound) {
   prepare(sample, sound.size() / receivers_);
   sound_.render(sample, drives_, *contacts_, sound);
+  if (sound_.has_left()) {
+    has_left_.store(true, std::memory_order_relaxed);
+  }
 }
 
 resonators::BodyInContact Player::begin_contact(std::int64_t sample, std::size_t samples) {

@@ -80,6 +80,13 @@ class Player {
   [[nodiscard]] bool is_heard() const { return is_heard_.load(std::memory_order_relaxed); }
   void set_heard(bool is_heard) { is_heard_.store(is_heard, std::memory_order_relaxed); }
 
+  /// Whether the last choice counted a cost for it, as heard or fading. Of the audio thread.
+  [[nodiscard]] bool is_paid() const { return is_paid_; }
+  void set_paid(bool is_paid) { is_paid_ = is_paid; }
+
+  /// Whether a change for good is over, so that nothing is heard any more. Any thread.
+  [[nodiscard]] bool has_left() const { return has_left_.load(std::memory_order_relaxed); }
+
   /// Any thread: times between ForceCommand::sent and the audio sample at which the force began.
   [[nodiscard]] Waits waits() const;
 
@@ -103,8 +110,9 @@ class Player {
   std::size_t most_commands_;
   std::size_t outstanding_ = 0;  // control thread: sent and not collected
   std::atomic<std::int64_t> measured_waits_{0}, total_wait_{0}, longest_wait_{0};  // ns
-  std::atomic<bool> is_heard_{true};
+  std::atomic<bool> is_heard_{true}, has_left_{false};
   // of the audio thread
+  bool is_paid_ = false;
   double own_priority_ = 0.0;
   double strength_ = 0.0;                               // of the strongest force since the body was silent, N s/kg
   std::vector<Command> waiting_;                        // in the order of their arrival

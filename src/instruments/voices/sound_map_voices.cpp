@@ -8,36 +8,63 @@
 
 #include "contact_group.hpp"
 #include "map_body.hpp"
-#include "mode_choice.hpp"
+#include "map_costs.hpp"
+#include "roster.hpp"
 
 namespace idiophone::voices {
 
 SoundMapVoices::SoundMapVoices(const std::vector<std::shared_ptr<const sound_maps::SoundMap>>& maps,
                                const Audience& audience, int rate, const MapDetail& detail,
                                std::span<const score::BodyContact> contacts)
-    : channels_(audience.receivers()),
+    : costs_(std::make_unique<MapCosts>(rate, detail.speed, audience.receivers())),
+      audience_(audience),
+      detail_(detail),
+      channels_(audience.receivers()),
       rate_(rate),
       arrivals_(audience.has_head() ? 0 : channels_, Arrivals(longest_way * rate)) {
   const std::vector<HearingPoint> points = audience.is_fixed() ? std::vector<HearingPoint>{} : audience.points(0.0);
+  std::vector<std::unique_ptr<MapBody>> bodies;
   for (const auto& one : prepared(maps)) {
     names_.push_back(one->map->body);
-    bodies_.push_back(std::make_unique<MapBody>(one, audience, points, rate, detail));
-    bodies_.back()->player().set_priority(1.0 - static_cast<double>(bodies_.size()));
+    bodies.push_back(std::make_unique<MapBody>(one, audience, points, rate, detail));
+    bodies.back()->player().set_priority(1.0 - static_cast<double>(bodies.size()));
   }
-  groups_ = contact_groups(bodies_, contacts, channels_, rate);
-  choice_ = std::make_unique<ModeChoice>(detail, bodies_, channels_, rate);
+  std::vector<std::unique_ptr<ContactGroup>> groups = contact_groups(bodies, contacts, channels_, rate);
+  roster_ = std::make_unique<Roster>(std::move(bodies), std::move(groups), detail, channels_, rate);
   changes_.reserve(2 * most_changes);
-  sounding_.reserve(bodies_.size());
 }
 
 SoundMapVoices::~SoundMapVoices() = default;
 
+MapBody& SoundMapVoices::body(std::size_t number) const {
+  return *roster_->bodies()[number];
+}
+
+std::size_t SoundMapVoices::add(const std::shared_ptr<const sound_maps::SoundMap>& map,
+                                std::vector<HearingPoint> points) {
+  const auto bodies = roster_->bodies();
+  const auto same = std::ranges::find_if(bodies, [&](const auto& body) { return body && &body->map() == map.get(); });
+  const auto known = same != bodies.end() ? (*same)->prepared() : std::make_shared<const PreparedMap>(map);
+  const std::size_t number = roster_->free_number();
+  auto joins = std::make_unique<MapBody>(known, audience_, std::move(points), rate_, detail_);
+  joins->player().set_priority(-static_cast<double>(number));
+  names_.resize(std::max(names_.size(), number + 1));
+  names_[number] = map->body;
+  roster_->join(number, std::move(joins));
+  attend();
+  return number;
+}
+
+void SoundMapVoices::remove(std::size_t number) {
+  roster_->leave(number);
+}
+
 std::optional<Vector3> SoundMapVoices::centre(std::size_t body) const {
-  return bodies_[body]->map().centre;
+  return this->body(body).map().centre;
 }
 
 void SoundMapVoices::require_tunable(std::size_t body, const score::Tuning& tuning) const {
-  if (bodies_[body]->player().touches_something()) {
+  if (this->body(body).player().touches_something()) {
     throw std::runtime_error("tune: " + names_[body] + " is in `contacts` of the score, so it can't be tuned");
   }
   if (tuning.tension != 1.0) {
@@ -46,25 +73,25 @@ void SoundMapVoices::require_tunable(std::size_t body, const score::Tuning& tuni
 }
 
 void SoundMapVoices::require_in_reach(const Vector3& place) const {
-  for (const auto& body : bodies_) {
+  for (const MapBody* body : roster_->present()) {
     body->require_in_reach(place);
   }
 }
 
 void SoundMapVoices::excite(std::size_t body, const drivers::Excitation& excitation, std::int64_t sent) {
-  bodies_[body]->excite(excitation, sent);
+  this->body(body).excite(excitation, sent);
 }
 
 void SoundMapVoices::tune(std::size_t body, const score::Tuning& tuning, std::int64_t start) {
-  bodies_[body]->tune(tuning, start);
+  this->body(body).tune(tuning, start);
 }
 
 void SoundMapVoices::touch(std::size_t body, const drivers::Touching& touch, std::int64_t start) {
-  bodies_[body]->touch(touch, start);
+  this->body(body).touch(touch, start);
 }
 
 void SoundMapVoices::lead(std::size_t body, const drivers::TouchLead& lead, std::int64_t start) {
-  bodies_[body]->lead(lead, start);
+  this->body(body).lead(lead, start);
 }
 
 void SoundMapVoices::set_detail(std::size_t body, const score::Detail& detail, std::int64_t start) {
@@ -83,11 +110,11 @@ void SoundMapVoices::set_budget(double budget, std::int64_t start) {
 }
 
 double SoundMapVoices::cost_of_driven(std::size_t body) const {
-  return choice_->cost_of_driven(body);
+  return costs_->of_driven(this->body(body).player().sound().groups(), true);
 }
 
 bool SoundMapVoices::is_heard(std::size_t body) const {
-  return bodies_[body]->player().is_heard();
+  return this->body(body).player().is_heard();
 }
 
 std::vector<MapChoice> SoundMapVoices::take_choices() {
@@ -96,19 +123,17 @@ std::vector<MapChoice> SoundMapVoices::take_choices() {
 }
 
 void SoundMapVoices::hear_at(const ListenerPlace& place) {
-  for (const auto& body : bodies_) {
+  for (MapBody* body : roster_->present()) {
     body->hear_at(place);
   }
 }
 
 void SoundMapVoices::hear_at(std::size_t body, const ListenerPlace& place) {
-  bodies_[body]->hear_at(place);
+  this->body(body).hear_at(place);
 }
 
 void SoundMapVoices::attend() {
-  for (const auto& body : bodies_) {
-    body->attend();
-  }
+  roster_->attend();
   while (!queued_.empty() && incoming_.put(queued_.front())) {
     queued_.pop_front();
   }
@@ -119,7 +144,7 @@ void SoundMapVoices::attend() {
 
 VoiceReport SoundMapVoices::report() const {
   Waits waits;
-  for (const auto& body : bodies_) {
+  for (const MapBody* body : roster_->present()) {
     waits.add(body->player().waits());
   }
   return {.waits = waits};
@@ -133,13 +158,14 @@ void SoundMapVoices::render(std::span<double> sound, std::int64_t clock) {
     const auto left = static_cast<std::int64_t>(sound.size() / channels_);
     const auto samples = static_cast<std::size_t>(std::min(left, longest - now_ % longest));
     const std::span<double> piece = sound.first(samples * channels_);
+    Lineup& lineup = roster_->lineup();
     if (now_ % MapChoice::interval == 0) {
-      choose();
+      choose(lineup);
     }
-    for (const auto& group : groups_) {
+    for (ContactGroup* group : lineup.groups) {
       group->render(piece, now_, clock + (now_ - begin) * 1'000'000'000 / rate_);
     }
-    send(samples);
+    send(lineup, samples);
     for (std::size_t r = 0; r < arrivals_.size(); ++r) {
       arrivals_[r].take(now_, piece.subspan(r), channels_);
     }
@@ -148,7 +174,7 @@ void SoundMapVoices::render(std::span<double> sound, std::int64_t clock) {
   }
 }
 
-void SoundMapVoices::choose() {
+void SoundMapVoices::choose(Lineup& lineup) {
   for (DetailChange change; changes_.size() < most_changes && incoming_.take(change);) {
     changes_.push_back(change);
   }
@@ -156,30 +182,31 @@ void SoundMapVoices::choose() {
     if (change.start > now_) {
       return false;
     }
-    if (change.detail.priority) {
-      bodies_[change.body]->player().set_priority(*change.detail.priority);
+    MapBody* body = lineup.by_number[change.body];
+    if (change.detail.priority && body != nullptr) {
+      body->player().set_priority(*change.detail.priority);
     }
     if (change.detail.budget) {
-      choice_->set_budget(*change.detail.budget);
+      lineup.choice->set_budget(*change.detail.budget);
     }
     return true;
   });
-  if (choice_->is_limited()) {
-    MapChoice chosen = choice_->choose(bodies_, now_);
+  if (lineup.choice->is_limited()) {
+    MapChoice chosen = lineup.choice->choose(lineup.bodies, now_);
     choices_.put(chosen);
   }
 }
 
 /// Sample by sample, so that the numbers do not depend on how samples are divided into pieces.
-void SoundMapVoices::send(std::size_t samples) {
-  sounding_.clear();
-  for (const auto& body : bodies_) {
+void SoundMapVoices::send(Lineup& lineup, std::size_t samples) {
+  lineup.sounding.clear();
+  for (const MapBody* body : lineup.bodies) {
     if (body->player().sound().emits()) {
-      sounding_.push_back(body.get());
+      lineup.sounding.push_back(body);
     }
   }
-  for (std::size_t i = 0; i < samples && !sounding_.empty(); ++i) {
-    for (const MapBody* body : sounding_) {
+  for (std::size_t i = 0; i < samples && !lineup.sounding.empty(); ++i) {
+    for (const MapBody* body : lineup.sounding) {
       for (std::size_t r = 0; r < arrivals_.size(); ++r) {
         const Emitted& emitted = body->player().sound().emitted(i, r);
         arrivals_[r].add(now_ + static_cast<std::int64_t>(i), emitted.pressure, emitted.delay);

@@ -52,10 +52,15 @@ struct StageOptions {
   double latency = 0.02;                                    ///< s, by which sound follows contacts at least
   double budget = std::numeric_limits<double>::infinity();  ///< processor time per time of sound; what is less
                                                             ///< audible is left out
+  double speed = 1.0;                                       ///< of the machine, for the budget: measured_speed()
   std::size_t most_strokes = 16;                            ///< contacts that scrape or roll at once; fewer if
                                                             ///< they would cost over a quarter of the budget
   std::uint64_t seed = 1;                                   ///< of roughness and of unknown moments
 };
+
+/// How fast this machine computes sound maps; 1: as the one for which costs are known. Bodies are rendered for some 0.1
+/// s of processor time. What else the machine does then makes it slower.
+[[nodiscard]] double measured_speed();
 
 /// What happened lately.
 struct StageReport {
@@ -84,6 +89,16 @@ class EngineStage {
   ~EngineStage();
 
   [[nodiscard]] std::size_t channels() const;
+
+  /// A body joins: it can be placed and struck at once, and sounds as if it had been there from the start. Takes
+  /// memory; render() goes on meanwhile.
+  /// @return its number, the lowest that is free: those of the start count from 0
+  /// @throws std::runtime_error without a map
+  std::size_t add(const SharedMap& map);
+
+  /// A body fades within 1024 audio samples and leaves. Its number is free when it has faded; until then nothing can be
+  /// told of it. @throws std::runtime_error if there is no such body
+  void remove(std::size_t body);
 
   /// From the next step on, the body is there. @throws std::runtime_error as for contact()
   void place(std::size_t body, const Pose& pose);

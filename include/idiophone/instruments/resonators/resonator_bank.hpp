@@ -75,6 +75,10 @@ class ResonatorBank {
 
   /// Whether any group that moves is heard. If not, rest() can take the place of advance() without drives.
   [[nodiscard]] bool is_heard() const;
+  /// Whether a group is heard, or on its way to it.
+  [[nodiscard]] bool hears(std::size_t group) const {
+    return parts_[group] == Part::heard || parts_[group] == Part::returns;
+  }
   void rest(std::size_t samples);
 
   /// Brings the states to the present audio sample. No allocation.
@@ -86,8 +90,8 @@ class ResonatorBank {
   /// [groups] z of the modes, when they are of the present audio sample.
   [[nodiscard]] std::span<const ModeGroup> states() const { return states_; }
 
-  /// Sets modes that are far below anything audible to zero, so that no number becomes denormal. Where the stretching
-  /// is so small that it is not heard, it ends.
+  /// Sets modes that are far below anything audible to zero, so that no number becomes denormal. Those that are not
+  /// heard wait for that until choose(). Where the stretching is so small that it is not heard, it ends.
   void silence();
 
   /// Whether anything moves.
@@ -114,6 +118,7 @@ class ResonatorBank {
   void ring_all(std::span<const ModeGroup> gains, std::span<double> sound);
   template <std::size_t outputs>
   void add_ringing(Part part, std::span<const ModeGroup> gains, std::span<double> sound);
+  void silence_modes();
   /// The state of a group at the present audio sample.
   [[nodiscard]] ModeGroup present(std::size_t group) const;
   /// All groups, as loud as they are: what is not heard is at rest.

@@ -33,6 +33,12 @@ class ContactSounds {
   [[nodiscard]] std::vector<ContactForce> step(std::span<const ContactEvent> events, std::int64_t start,
                                                double duration);
 
+  /// A body gets a number. @param mass  kg
+  void join(std::size_t body, double mass);
+
+  /// What scrapes or rolls on a body comes to its end, and its loads are forgotten.
+  void leave(std::size_t body);
+
   [[nodiscard]] std::size_t strokes() const { return strokes_; }
   [[nodiscard]] std::uint64_t impacts() const { return impacts_; }
   [[nodiscard]] std::uint64_t left_out() const { return left_out_; }

@@ -16,9 +16,10 @@
 
 namespace idiophone::voices {
 
-class ContactGroup;
 class MapBody;
-class ModeChoice;
+class MapCosts;
+class Roster;
+struct Lineup;
 
 class SoundMapVoices : public Voice {
  public:
@@ -51,7 +52,17 @@ class SoundMapVoices : public Voice {
   [[nodiscard]] VoiceReport report() const override;
   void render(std::span<double> sound, std::int64_t clock) override;
 
-  /// What a body costs while forces act on it, as it is estimated: processor time per time of sound.
+  /// A body joins, heard by a listener who is where he is in its coordinates. It has the lowest number that is free.
+  /// No head may hear the voices, and no contacts of a score touch them.
+  /// @param points  1 to most_receivers, as many as the others have
+  /// @return its number
+  /// @throws std::runtime_error when it is too far away
+  std::size_t add(const std::shared_ptr<const sound_maps::SoundMap>& map, std::vector<HearingPoint> points);
+
+  /// A body fades and leaves; its number is free then, and can't be used before.
+  void remove(std::size_t body);
+
+  /// What a body that moves costs while forces act on it, as it is estimated: processor time per time of sound.
   [[nodiscard]] double cost_of_driven(std::size_t body) const;
 
   /// Whether a body was silent, or anything of it was chosen to be heard, at the last choice.
@@ -70,12 +81,15 @@ class SoundMapVoices : public Voice {
   };
   static constexpr std::size_t most_changes = 64;
 
-  void choose();
-  void send(std::size_t samples);
+  [[nodiscard]] MapBody& body(std::size_t number) const;
+  void choose(Lineup& lineup);
+  void send(Lineup& lineup, std::size_t samples);
 
   std::vector<std::string> names_;
-  std::vector<std::unique_ptr<MapBody>> bodies_;
-  std::vector<std::unique_ptr<ContactGroup>> groups_;  // all bodies
+  std::unique_ptr<Roster> roster_;
+  std::unique_ptr<MapCosts> costs_;
+  Audience audience_;
+  MapDetail detail_;
   std::size_t channels_;
   int rate_;
   std::deque<DetailChange> queued_;  // not sent yet
@@ -83,11 +97,9 @@ class SoundMapVoices : public Voice {
   outputs::Ring<DetailChange> incoming_{most_changes};
   outputs::Ring<MapChoice> choices_{4096};
   // of the audio thread
-  std::unique_ptr<ModeChoice> choice_;
-  std::vector<DetailChange> changes_;     // that are not due, in the order of their arrival
-  std::vector<Arrivals> arrivals_;        // [channels]; none with a head, which hears each body by itself
-  std::vector<const MapBody*> sounding_;  // in the present piece
-  std::int64_t now_ = 0;                  // audio sample that is rendered next
+  std::vector<DetailChange> changes_;  // that are not due, in the order of their arrival
+  std::vector<Arrivals> arrivals_;     // [channels]; none with a head, which hears each body by itself
+  std::int64_t now_ = 0;               // audio sample that is rendered next
 };
 
 /// The maps, each for one body.

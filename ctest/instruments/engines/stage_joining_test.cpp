@@ -1,0 +1,187 @@
+// Bodies that join a stage and leave it while it plays.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <limits>
+#include <thread>
+#include <vector>
+
+#include "shared_folder.hpp"
+#include "sheet_stage.hpp"
+#include "strictness.hpp"
+
+namespace idiophone::engines {
+
+namespace {
+
+ContactEvent blow_at(std::size_t body) {
+  ContactEvent event = blow();
+  event.contact = body;
+  event.bodies = {static_cast<std::int32_t>(body), ContactEvent::nobody};
+  return event;
+}
+
+/// A body that is struck at once and again, and another one that is struck in the tenth step. The listener moves
+/// before.
+/// @param joins  step before which the other one joins; below 0: it is there from the start
+std::vector<double> two_bodies(int joins, double budget) {
+  StageOptions limited = options();
+  limited.budget = budget;
+  const SharedMap map = sheet_map();
+  EngineStage stage(limited, std::vector(joins < 0 ? 2UL : 1UL, map), {steel});
+  std::vector<double> sound;
+  for (int step = 0; step < 40; ++step) {
+    stage.listen(std::vector<Triple>{{0.1 + 0.01 * std::min(step, 5), 0.3, 0.8}});
+    if (step == joins) {
+      EXPECT_EQ(stage.add(map), 1U);
+    }
+    if (step == 0 || step == 20) {
+      stage.contact(blow_at(0));
+    }
+    if (step == 10) {
+      stage.contact(blow_at(1));
+    }
+    if (step >= 10) {
+      stage.place(1, {.position = {0.002 * step, 0.0, 0.0}});
+    }
+    const std::vector<double> more = heard(stage);
+    sound.insert(sound.end(), more.begin(), more.end());
+  }
+  return sound;
+}
+
+double highest(const std::vector<double>& sound) {
+  double found = 0.0;
+  for (const double pa : sound) {
+    found = std::max(found, std::abs(pa));
+  }
+  return found;
+}
+
+double highest_jump(const std::vector<double>& sound) {
+  double found = 0.0;
+  for (std::size_t i = 1; i < sound.size(); ++i) {
+    found = std::max(found, std::abs(sound[i] - sound[i - 1]));
+  }
+  return found;
+}
+
+}  // namespace
+
+TEST(StageJoining, WhoJoinsSoundsAsIfItHadBeenThere) {
+  for (const double budget : {std::numeric_limits<double>::infinity(), 0.5, 0.004}) {
+    const std::vector<double> expected = two_bodies(-1, budget);
+    EXPECT_GT(highest(expected), 1e-3);
+    EXPECT_EQ(two_bodies(3, budget), expected) << budget;
+    EXPECT_EQ(two_bodies(10, budget), expected) << budget;
+  }
+}
+
+TEST(StageJoining, WhoLeavesFadesAndOthersGoOn) {
+  const SharedMap map = sheet_map();
+  EngineStage alone(options(), {map}, {steel}), stage(options(), {map, map}, {steel});
+  EngineStage whole(options(), {map, map}, {steel});
+  for (EngineStage* one : {&alone, &stage, &whole}) {
+    one->contact(blow_at(0));
+  }
+  for (EngineStage* one : {&stage, &whole}) {
+    one->contact(blow_at(1));
+    one->place(1, {.position = {0.0, 0.0, 0.3}});
+  }
+  heard(alone);
+  EXPECT_EQ(heard(stage), heard(whole));
+  stage.remove(1);
+  const std::vector<double> fading = heard(stage, 2), expected = heard(whole, 2), rest = heard(alone, 2);
+  EXPECT_LE(highest_jump(fading), 1.01 * highest_jump(expected));
+  EXPECT_NE(fading, expected);
+  EXPECT_NE(fading[200], rest[200]) << "it is heard while it fades";
+  EXPECT_EQ(heard(stage, 10), heard(alone, 10)) << "nothing is left of it";
+}
+
+TEST(StageJoining, ANumberIsFreeWhenItsBodyHasFaded) {
+  const SharedMap map = sheet_map(), other = sheet_map();
+  EngineStage stage(options(), {map, map}, {steel});
+  stage.contact(blow_at(0));
+  heard(stage);
+  stage.remove(0);
+  EXPECT_EQ(stage.add(other), 2U) << "the first one has not faded";
+  EXPECT_EQ(support::error_of([&] { stage.remove(0); }), "there is no body 0");
+  EXPECT_EQ(support::error_of([&] { stage.place(0, {}); }), "there is no body 0");
+  EXPECT_EQ(support::error_of([&] { stage.contact(blow_at(0)); }), "there is no body 0");
+  EXPECT_EQ(support::error_of([&] { stage.add(nullptr); }), "a body has no map");
+  heard(stage, 5);
+  EXPECT_EQ(stage.add(other), 0U);
+  stage.contact(blow_at(0));
+  EXPECT_GT(highest(heard(stage)), 1e-3) << "the new one sounds";
+  stage.remove(0);
+  stage.remove(2);
+  heard(stage, 6);
+  EXPECT_EQ(other.use_count(), 1) << "who has left takes no memory";
+}
+
+/// A body leaves while it is scraped and changes of the listener are on their way.
+TEST(StageJoining, WhoHasLeftStaysSilent) {
+  EngineStage stage(options(0.1), {sheet_map()}, {steel});
+  for (int step = 0; step < 20; ++step) {
+    ContactEvent event = blow_at(0);
+    event.slip = {0.5, 0, 0};
+    stage.contact(event);
+    stage.place(0, {.position = {0.01 * step, 0, 0}});
+    heard(stage);
+  }
+  stage.remove(0);
+  EXPECT_GT(highest(heard(stage)), 0.0);
+  heard(stage, 2);
+  EXPECT_EQ(highest(heard(stage, 20)), 0.0);
+}
+
+TEST(StageJoining, NeverLocksOrAllocatesInTheAudioThread) {
+  StageOptions limited = options();
+  limited.budget = 0.1;
+  const SharedMap map = sheet_map();
+  EngineStage stage(limited, {map}, {steel});
+  std::vector<float> block(frames);
+  const long before = plugin::AudioThread::offences();
+  for (int step = 0; step < 60; ++step) {
+    const std::size_t body = stage.add(map);
+    stage.contact(blow_at(body));
+    stage.step(duration);
+    {
+      const plugin::AudioThread thread;
+      stage.render(block, 1.0);
+    }
+    stage.remove(body);
+  }
+  EXPECT_EQ(stage.report().impacts, 60U);
+  EXPECT_GT(stage.report().sounding, 0U);
+  EXPECT_LT(stage.add(map), 10U) << "numbers are used again";
+  EXPECT_EQ(plugin::AudioThread::offences() - before, 0);
+}
+
+TEST(StageJoining, GoesOnWhileAnotherThreadRenders) {
+  const SharedMap map = sheet_map();
+  EngineStage stage(options(), {map}, {steel});
+  std::atomic<bool> ends = false;
+  double loudest = 0.0;
+  std::thread audio([&] {
+    std::vector<double> block(64);
+    while (!ends) {
+      stage.render(block);
+      loudest = std::max(loudest, highest(block));
+    }
+  });
+  for (int step = 0; step < 300; ++step) {
+    const std::size_t body = stage.add(map);
+    stage.contact(blow_at(body));
+    stage.step(duration);
+    stage.remove(body);
+  }
+  ends = true;
+  audio.join();
+  EXPECT_TRUE(std::isfinite(loudest));
+}
+
+}  // namespace idiophone::engines
