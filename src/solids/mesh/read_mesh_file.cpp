@@ -19,7 +19,7 @@ namespace {
 
 /// @param path  of the dataset that is wrong
 [[noreturn]] void refuse(const std::string& path, const std::string& why) {
-  throw std::runtime_error(fmt::format("{} {}: it is no right mesh", path, why));
+  throw std::runtime_error(fmt::format("{} {}: the mesh is not valid", path, why));
 }
 
 /// @throws std::runtime_error unless all are numbers of one of `count` things
@@ -27,7 +27,7 @@ void require_numbers(const std::string& path, std::span<const Index> numbers, st
   const auto wrong =
       std::ranges::find_if(numbers, [&](Index number) { return number < 0 || std::cmp_greater_equal(number, count); });
   if (wrong != numbers.end()) {
-    refuse(path, fmt::format("has the number {}, of {}", *wrong, count));
+    refuse(path, fmt::format("has the number {}, but there are {} to choose from", *wrong, count));
   }
 }
 

@@ -54,6 +54,7 @@ constexpr bool has_equal_weights() {
 template <class Element>
 PackedTetrahedra<Element>::PackedTetrahedra(const mesh::BodyPart& part, Positions reference)
     : layout_(part), packs_(layout_.pack_count()) {
+  geometry_.reserve(packs_.size());  // enough for straight linear elements; a vector that grows holds both copies
   for (std::size_t number = 0; number < packs_.size(); ++number) {
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       const ElementNodes nodes = part.element_nodes(element_in(layout_, number, lane));
