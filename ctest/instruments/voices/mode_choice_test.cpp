@@ -238,6 +238,24 @@ TEST(ModeChoice, BodyOfTheGreatestPriorityIsHeard) {
   EXPECT_THROW(limited.stage().perform({.start = 0, .body = 1, .action = level}), std::runtime_error);
 }
 
+/// A silent body that is struck just before a choice: another one may be before the next.
+TEST(ModeChoice, KeepsRoomForBlows) {
+  std::vector<sound_maps::SoundMap> maps = tones({{1000.0, 0.0}, {4000.0, 0.0}});
+  maps[1].material_decay = {2000.0};
+  const auto choices = [&](double budget) {
+    Stand stand(maps, {.budget = budget, .priority = proxies::Priority::audibility});
+    stand.strike(1, static_cast<double>(20 * MapChoice::interval - 3) / rate);
+    static_cast<void>(stand.render(30 * MapChoice::interval));
+    return stand.maps().take_choices();
+  };
+  const double enough = 1.05 * choices(no_limit)[20].cost;
+  const std::vector<MapChoice> found = choices(enough);
+  EXPECT_EQ(found[19].heard, found[19].modes);
+  EXPECT_EQ(found[20].modes, 2U);
+  EXPECT_EQ(found[20].heard, 1U);
+  EXPECT_EQ(found[25].heard, found[25].modes);
+}
+
 TEST(ModeChoice, GivesWayToProxiesOfGreaterPriority) {
   const auto shared = std::make_shared<SharedBudget>(2, 1);
   const std::vector<sound_maps::SoundMap> maps = tones({{1000.0, 0.0}, {4000.0, 0.0}});

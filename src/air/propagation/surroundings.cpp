@@ -26,6 +26,23 @@ bool goes_through(const mesh::TrianglePoints& corners, const Vector3& from, cons
   return along && *along > 0.0 && *along < 1.0;
 }
 
+/// Whether a straight way may meet a box: between its two planes along each axis for some time in common.
+bool may_meet(const Eigen::AlignedBox3d& box, const Vector3& from, const Vector3& to) {
+  double enters = 0.0, leaves = 1.0;  // shares of the way
+  for (int axis = 0; axis < 3; ++axis) {
+    const double slack = 1e-9 * (std::abs(from[axis]) + std::abs(to[axis]) + box.sizes()[axis]);
+    const double low = box.min()[axis] - slack - from[axis], high = box.max()[axis] + slack - from[axis];
+    const double way = to[axis] - from[axis];
+    if (way == 0.0) {
+      leaves = low <= 0.0 && high >= 0.0 ? leaves : -1.0;
+      continue;
+    }
+    enters = std::max(enters, std::min(low / way, high / way));
+    leaves = std::min(leaves, std::max(low / way, high / way));
+  }
+  return enters <= leaves;
+}
+
 /// Vertex positions of all ranks, [global vertices] m. Collective.
 std::vector<Vector3> all_vertices(const AudibleSurface& surface, MPI_Comm communicator) {
   std::vector<double> coordinates;
@@ -114,10 +131,8 @@ double Surroundings::share_behind(std::size_t part, std::size_t body, const Vect
     const auto [a, b, c] = corners(t);
     const Vector3 centre = (a + b + c) / 3.0;
     const double area = (b - a).cross(c - a).norm();
-    Eigen::AlignedBox3d way(centre);
-    way.extend(point);
     whole += area;
-    hidden += way.intersects(box) && is_between(part, centre, point) ? area : 0.0;
+    hidden += may_meet(box, centre, point) && is_between(part, centre, point) ? area : 0.0;
   }
   return hidden / whole;
 }

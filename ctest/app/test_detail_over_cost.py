@@ -1,0 +1,29 @@
+#!/usr/bin/python3
+"""tools/detail_over_cost: what a budget loses, with two bodies."""
+
+import pathlib
+import subprocess
+import tempfile
+import unittest
+
+import program
+
+
+class DetailOverCost(unittest.TestCase):
+    def test_small_budgets_lose_more_and_large_ones_nothing(self):
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([program.SOURCE / "tools/detail_over_cost", "--program", program.PROGRAM, "--folder", folder, "--bodies", "2",
+                            "--budgets", "0.0001", "10"], check=True, capture_output=True)
+            rows = [line.strip("| \n").split(" | ") for line in (pathlib.Path(folder) / "detail.md").read_text().splitlines()]
+            self.assertTrue((pathlib.Path(folder) / "detail_over_cost.png").stat().st_size > 1000)
+        errors = [(float(row[1]), float(row[3])) for row in rows[3:]]
+        self.assertEqual(len(errors), 10)  # five ways to choose, two budgets
+        for budget, error in errors:
+            if budget > 1:
+                self.assertLess(error, -100)
+            else:
+                self.assertGreater(error, -20)
+
+
+if __name__ == "__main__":
+    unittest.main()
