@@ -59,6 +59,39 @@ class Bench(program.TestCase):
         self.assertIn("mode 1, computed at", job.stderr)
         self.assertIn("was not measured", job.stderr)
 
+    def test_a_recording_of_a_tap_tells_the_shift_of_a_stiffer_bar(self):
+        stiffer = 1.02  # times Young's modulus: all modes rise by the same
+        mapped = program.idiophone("map", BAR, *COARSE, "--set", f"materials.aluminium.young={stiffer * 7e10}",
+                                   "--set", "listeners.ear.position=[0.15, 0, 0.3]", "--modes", 8, "--no-estimate",
+                                   "--output-folder", self.output)
+        self.require_status(mapped, program.FINISHED)
+        score, tap = self.output / "tap.yaml", self.output / "tap.wav"
+        score.write_text("duration: 3\nevents:\n"
+                         "  - {time: 0.05, at: [0.16, 0, 0], direction: [0, 0, -1], mass: 0.01, hardness: 1e8, speed: 1}\n")
+        played = program.idiophone("play", self.output / "untuned_vibraphone_bar_bar.map.h5", "--score", score, "--output", tap,
+                                   "--rate", 44100)
+        self.require_status(played, program.FINISHED)
+        for partial in self.facts("--mass", "lumped", "--measured", tap)["partials"]:
+            self.assertAlmostEqual(partial["shift"], 600 * math.log2(stiffer), delta=0.1)
+
+    def test_cuts_that_were_made_are_part_of_the_body(self):
+        first = self.facts()
+        made = self.output / "cuts.yaml"
+        made.write_text(first["cuts_file"])
+        then = self.facts("--cuts", made)
+        for before, after in zip(first["partials"][1:], then["partials"][1:], strict=True):
+            self.assertAlmostEqual(after["missing"], -before["expected"], delta=0.05)  # depths of the file are rounded
+        if len(first["visits"]) > 1:
+            for now, foreseen in zip(then["partials"], first["visits"][1]["expected"], strict=True):
+                self.assertAlmostEqual(now["expected"], foreseen, delta=0.2)
+        made.write_text('cuts: [{tool: "saw:0.1", place: 0, depth: -1}]')
+        stderr = self.bench(*TARGET, "--cuts", made, status=program.WRONG_DECK).stderr
+        self.assertIn("cuts.yaml:1:15", stderr)
+        self.assertIn("'saw:0.1' is not a tool", stderr)
+        self.assertIn("cuts.yaml:1:43", stderr)
+        made.write_text('cuts: [{tool: "sander:0.02", place: 0, depth: 0.004}]')
+        self.assertIn("more than half of the body's", self.bench(*TARGET, "--cuts", made, status=program.FAILED).stderr)
+
     def test_says_what_is_in_tune_or_out_of_reach(self):
         first, second, third = (partial["computed"] for partial in self.facts()["partials"])
         self.assertIn("all partials are within the tolerance",

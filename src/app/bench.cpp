@@ -10,14 +10,13 @@
 #include "answer.hpp"
 #include "bench_answer.hpp"
 #include "command.hpp"
-#include "idiophone/app/body_modes.hpp"
 #include "idiophone/foundation/web/page_file.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/find_body.hpp"
-#include "idiophone/solids/eigenmodes/removal.hpp"
-#include "idiophone/solids/motion/attachments.hpp"
 #include "idiophone/study/bench/bench_page.hpp"
+#include "idiophone/study/bench/cut_list.hpp"
+#include "idiophone/study/bench/workpiece.hpp"
 #include "idiophone/study/fitting/lines_of_modes.hpp"
 #include "idiophone/study/partials/compare.hpp"
 #include "target_options.hpp"
@@ -33,6 +32,7 @@ struct BenchOptions {
   TargetOptions target;
   std::filesystem::path measured;  ///< a YAML file, or a recording; empty for none
   double match = 100.0;            ///< cents, between a line and its mode
+  std::filesystem::path cuts;      ///< that were made; empty for none
   std::vector<std::string> tools = {"router:0.006", "sander:0.02"};
   std::string side;            ///< empty for the one below
   std::filesystem::path page;  ///< to write, if any
@@ -46,6 +46,8 @@ void declare(CLI::App& app, BenchOptions& options) {
   add_target(app, options.target);
   app.add_option("--measured", options.measured,
                  "a recording of a tap, or a YAML file of lines (docs/use/identify.md)");
+  app.add_option("--cuts", options.cuts, "a YAML file of the cuts that were made since the deck's mesh")
+      ->check(CLI::ExistingFile);
   app.add_option("--match", options.match, "cents between a measured line and its mode")->capture_default_str();
   app.add_option("--tools", options.tools, "NAME:RADIUS,...: router or sander, and half the width of its cuts in m")
       ->delimiter(',')
@@ -80,24 +82,6 @@ void check_bench(const BenchOptions& options) {
   require_above_zero("--slope-error", options.plan.slope_error);
 }
 
-/// A body with the modes that are tuned, and some above them.
-struct Workpiece {
-  mesh::Mesh mesh;
-  motion::Attachments attachments;
-  std::vector<eigenmodes::Mode> modes;
-};
-
-Workpiece workpiece_of(const scene::Solids& solids, int highest, eigenmodes::MassMatrix mass) {
-  constexpr int more_modes = 4;  // that a tap has, too
-  std::vector<mesh::Mesh> meshes = {mesh::read_mesh(solids.bodies.front())};
-  motion::Attachments attachments = motion::attach(solids, meshes);
-  BodyModes found = find_body_modes(solids, meshes, {.count = highest + more_modes, .mass = mass}, MPI_COMM_SELF);
-  for (std::size_t mode = 0; mode < found.shapes.size(); ++mode) {
-    found.found.modes[mode].shape = std::move(found.shapes[mode]);
-  }
-  return {std::move(meshes.front()), std::move(attachments), std::move(found.found.modes)};
-}
-
 /// The line of each mode; none without a measurement.
 std::vector<std::optional<fitting::Line>> measured_lines(const BenchOptions& options,
                                                          const std::vector<eigenmodes::Mode>& modes) {
@@ -111,11 +95,13 @@ std::vector<std::optional<fitting::Line>> measured_lines(const BenchOptions& opt
 
 /// The partials of the target, without what they are to become.
 std::vector<BenchPartial> partials_of(const BenchOptions& options, const std::vector<int>& numbers,
-                                      const std::vector<eigenmodes::Mode>& modes) {
+                                      const bench::Workpiece::Solved& body) {
+  const std::vector<eigenmodes::Mode>& modes = body.modes;
   const auto lines = measured_lines(options, modes);
   std::vector<BenchPartial> partials;
-  for (const int number : numbers) {
-    const auto mode = static_cast<std::size_t>(number) - 1;
+  for (std::size_t p = 0; p < numbers.size(); ++p) {
+    const int number = numbers[p];
+    const std::size_t mode = body.tuned[p];
     if (!options.measured.empty() && !lines[mode]) {
       throw std::runtime_error(
           fmt::format("{}: mode {}, computed at {:.1f} Hz, was not measured. Tap where it moves much, give its line in "
@@ -153,23 +139,23 @@ int run_bench(const BenchOptions& options) {
   const std::vector<bench::Tool> tools = bench::read_tools(options.tools);
   const scene::Scene scene = bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
   const scene::Solids solids = scene::Solids(scene).alone(scene::find_body(scene.bodies, options.body));
-  const Workpiece piece = workpiece_of(solids, std::ranges::max(numbers), options.mass);
-  const bench::Side side = bench::read_side(options.side, piece.mesh);
-  std::vector<BenchPartial> partials = partials_of(options, numbers, piece.modes);
+  const std::vector<bench::Cut> made =
+      options.cuts.empty() ? std::vector<bench::Cut>{} : bench::read_cuts(options.cuts);
+  const bench::Workpiece piece(solids, options.side, numbers, options.mass);
+  const bench::Workpiece::Solved body = piece.with(made);
+  std::vector<BenchPartial> partials = partials_of(options, numbers, body);
   set_wanted(partials, target);
-  std::vector<eigenmodes::Mode> tuned;
-  std::ranges::transform(numbers, std::back_inserter(tuned), [&](int number) { return piece.modes[number - 1]; });
-  const eigenmodes::RemovalSlopes removal = eigenmodes::removal_slopes(solids, piece.mesh, piece.attachments, tuned);
-  const bench::Strips strips = bench::strips_of(piece.mesh, removal, side);
-  const bench::Plan plan = bench::plan_cuts(strips, tools, distances_of(partials, target.are_ratios), options.plan);
-  const BenchAnswer answer{solids.bodies.front().name, partials, side, strips, tools, plan};
+  const bench::CutModel model = piece.model(made, body);
+  const bench::Strips strips = model({}).strips;
+  const bench::Plan plan = bench::plan_cuts(model, tools, distances_of(partials, target.are_ratios), options.plan);
+  const BenchAnswer answer{solids.bodies.front().name, partials, piece.side(), strips, tools, made, plan};
   if (options.style == Style::json) {
     print_answer(to_json(answer));
   } else {
     print(answer);
   }
   if (!options.page.empty()) {
-    web::write_page(options.page.string(), bench::page(to_json(answer), piece.mesh, removal));
+    web::write_page(options.page.string(), bench::page(to_json(answer), body.mesh, piece.removal_of(body)));
   }
   return loop::exit_finished;
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "idiophone/study/bench/cut_list.hpp"
 #include "idiophone/study/partials/compare.hpp"
 
 namespace idiophone::app {
@@ -61,6 +62,28 @@ void print_cents(const Eigen::VectorXd& cents) {
   fmt::print("\n");
 }
 
+/// The cuts that were made, and those to make now.
+std::vector<Cut> cuts_then(const BenchAnswer& answer) {
+  std::vector<Cut> cuts = answer.made;
+  if (!answer.plan.visits.empty()) {
+    const std::vector<Cut>& next = answer.plan.visits.front().cuts;
+    cuts.insert(cuts.end(), next.begin(), next.end());
+  }
+  return cuts;
+}
+
+json to_json(const std::vector<Cut>& cuts) {
+  json list = json::array();
+  for (const Cut& cut : cuts) {
+    list.push_back({{"tool", cut.tool.name},
+                    {"place", cut.place},
+                    {"width", 2 * cut.tool.radius},
+                    {"depth", cut.depth},
+                    {"cents", list_of(cut.cents)}});
+  }
+  return list;
+}
+
 void print_distances(const BenchAnswer& answer) {
   fmt::print("{:>4}  {:>12}  {:>12}  {:>11}  {:>12}  {:>13}\n", "mode", "computed/Hz", "measured/Hz", "shift/cents",
              "wanted/Hz", "missing/cents");
@@ -92,15 +115,28 @@ void print_cuts(const BenchAnswer& answer) {
   fmt::print("\n{:<8}  {:>8}  {:>8}  {:>8}", "next cut", fmt::format("{}/mm", axis_name(answer.side)), "width/mm",
              "depth/mm");
   print_heads(answer.partials);
-  for (const Cut& cut : answer.plan.cuts) {
+  const bench::Visit& next = answer.plan.visits.front();
+  for (const Cut& cut : next.cuts) {
     fmt::print("{:<8}  {:>8.1f}  {:>8.1f}  {:>8.2f}", cut.tool.name, cut.place * 1e3, 2 * cut.tool.radius * 1e3,
                cut.depth * 1e3);
     print_cents(cut.cents);
   }
   fmt::print("{:<38}", "cents from the target then");
-  print_cents(answer.plan.expected);
+  print_cents(next.expected);
   fmt::print("{:<38}", "standard deviation");
-  print_cents(answer.plan.uncertainties);
+  print_cents(next.uncertainties);
+}
+
+void print_later_visits(const BenchAnswer& answer) {
+  for (std::size_t visit = 1; visit < answer.plan.visits.size(); ++visit) {
+    const std::size_t cuts = answer.plan.visits[visit].cuts.size();
+    fmt::print("{:<38}", fmt::format("after tap {} and {} more cut{}", visit, cuts, cuts == 1 ? "" : "s"));
+    print_cents(answer.plan.visits[visit].expected);
+  }
+}
+
+void print_list(const BenchAnswer& answer) {
+  fmt::print("\nfor --cuts, when these are made:\n{}", bench::text_of(cuts_then(answer)));
 }
 
 }  // namespace
@@ -130,8 +166,10 @@ std::string advice(const BenchAnswer& answer) {
 void print(const BenchAnswer& answer) {
   print_distances(answer);
   print_effects(answer);
-  if (!answer.plan.cuts.empty()) {
+  if (!answer.plan.visits.empty()) {
     print_cuts(answer);
+    print_later_visits(answer);
+    print_list(answer);
   }
   fmt::print("\n{}\n", advice(answer));
 }
@@ -145,7 +183,9 @@ json to_json(const BenchAnswer& answer) {
                 {"along", std::string(1, axis_name(answer.side))},
                 {"partials", json::array()},
                 {"effects", json::array()},
-                {"cuts", json::array()}};
+                {"visits", json::array()}};
+  const Eigen::VectorXd& expected = plan.visits.empty() ? plan.errors : plan.visits.front().expected;
+  const Eigen::VectorXd& uncertainties = plan.visits.empty() ? plan.measured : plan.visits.front().uncertainties;
   for (std::size_t p = 0; p < answer.partials.size(); ++p) {
     const BenchPartial& partial = answer.partials[p];
     const auto place = static_cast<Eigen::Index>(p);
@@ -156,8 +196,8 @@ json to_json(const BenchAnswer& answer) {
          {"shift", partial.line ? json(partials::cents(partial.line->frequency, partial.computed)) : json()},
          {"wanted", partial.wanted},
          {"missing", 0.0 - plan.errors[place]},
-         {"expected", plan.expected[place]},
-         {"uncertainty", plan.uncertainties[place]},
+         {"expected", expected[place]},
+         {"uncertainty", uncertainties[place]},
          {"unreachable", plan.unreachable[place]}});
   }
   for (const bench::Tool& tool : answer.tools) {
@@ -169,13 +209,11 @@ json to_json(const BenchAnswer& answer) {
            {"cents_per_millimetre", list_of(per_millimetre * slopes_of(answer.strips, tool, place))}});
     }
   }
-  for (const Cut& cut : plan.cuts) {
-    facts["cuts"].push_back({{"tool", cut.tool.name},
-                             {"place", cut.place},
-                             {"width", 2 * cut.tool.radius},
-                             {"depth", cut.depth},
-                             {"cents", list_of(cut.cents)}});
+  facts["cuts"] = plan.visits.empty() ? json::array() : to_json(plan.visits.front().cuts);
+  for (const bench::Visit& visit : plan.visits) {
+    facts["visits"].push_back({{"cuts", to_json(visit.cuts)}, {"expected", list_of(visit.expected)}});
   }
+  facts["cuts_file"] = bench::text_of(cuts_then(answer));
   return facts;
 }
 

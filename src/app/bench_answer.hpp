@@ -27,6 +27,7 @@ struct BenchAnswer {
   const bench::Side& side;
   const bench::Strips& strips;  ///< slopes of the partials
   const std::vector<bench::Tool>& tools;
+  const std::vector<bench::Cut>& made;  ///< earlier
   const bench::Plan& plan;
 };
 

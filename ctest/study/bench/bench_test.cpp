@@ -6,7 +6,9 @@
 #include <random>
 
 #include "block_mesh.hpp"
+#include "idiophone/study/bench/cut_list.hpp"
 #include "idiophone/study/bench/cut_plan.hpp"
+#include "idiophone/study/bench/cuttable_mesh.hpp"
 #include "nonnegative.hpp"
 
 namespace idiophone::bench {
@@ -77,6 +79,35 @@ TEST(Strips, AddUpToTheSide) {
   EXPECT_THROW(static_cast<void>(strips_of_block("below")), std::runtime_error);
 }
 
+double volume_below(const mesh::Mesh& mesh) {
+  double volume = 0.0;
+  for (const mesh::Triangle& face : mesh.surface) {
+    volume += mesh.nodes[face[0]].dot(mesh.nodes[face[1]].cross(mesh.nodes[face[2]])) / 6;
+  }
+  return volume;
+}
+
+// Exact but for the sums over points of the surface, and nodes that are not in the middle of their triangles.
+TEST(CuttableMesh, LosesTheVolumeOfTheCuts) {
+  const mesh::Mesh mesh = support::block_mesh(element::hex(3, 2), {length, width, height}, {5, 1, 1});
+  const CuttableMesh cuttable(mesh, read_side("", mesh));
+  const std::vector<Cut> cuts = {{{"router", Profile::groove, 0.003}, 0.11, 1e-3, {}},
+                                 {{"sander", Profile::hollow, 0.02}, 0.2, 2e-3, {}}};
+  const double removed = width * (0.006 * 1e-3 + 0.02 * 2e-3);
+  const mesh::Mesh cut = cuttable.with(cuts);
+  EXPECT_NEAR(volume_below(mesh) - volume_below(cut), removed, 0.02 * removed);
+  for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
+    const Vector3 moved = cut.nodes[node] - mesh.nodes[node];
+    EXPECT_EQ(moved.head<2>().norm(), 0.0);
+    EXPECT_GE(moved.z(), 0.0);
+    if (mesh.nodes[node].z() > height - 1e-9) {
+      EXPECT_EQ(moved.z(), 0.0);
+    }
+  }
+  EXPECT_THROW(static_cast<void>(cuttable.with({{{"sander", Profile::hollow, 0.04}, 0.15, 0.015, {}}})),
+               std::runtime_error);
+}
+
 /// A bar of 0.3 m whose two partials fall where it bends and rise at its ends.
 Strips bar() {
   Strips strips;
@@ -95,34 +126,74 @@ Strips bar() {
 
 const std::vector<Tool> both_tools = {{"router", Profile::groove, 0.006}, {"sander", Profile::hollow, 0.02}};
 
+/// A body whose slopes do not change with its cuts.
+CutModel straight(const Strips& strips) {
+  return [strips](const std::vector<Cut>& cuts) {
+    CutBody body{Eigen::VectorXd::Zero(strips.slopes.rows()), strips};
+    for (const Cut& cut : cuts) {
+      body.moved += cut.depth * slopes_of(strips, cut.tool, cut.place);
+    }
+    return body;
+  };
+}
+
 Plan plan_for(const Eigen::Vector2d& cents, const PlanOptions& options = {}, double uncertainty = 0.5,
               bool are_ratios = false) {
-  return plan_cuts(bar(), both_tools, {cents, Eigen::Vector2d::Constant(uncertainty), are_ratios}, options);
+  return plan_cuts(straight(bar()), both_tools, {cents, Eigen::Vector2d::Constant(uncertainty), are_ratios}, options);
 }
 
 /// Requires that no partial passes its target by more than a limit, with two standard deviations.
 void expect_safe(const Plan& plan, double limit) {
-  for (Eigen::Index p = 0; p < plan.errors.size(); ++p) {
-    const double passed = plan.errors[p] > 0 ? -plan.expected[p] : plan.expected[p];
-    EXPECT_LE(passed + 2 * plan.uncertainties[p], limit + 1e-9) << "partial " << p;
+  Eigen::VectorXd from = plan.errors;
+  for (const Visit& visit : plan.visits) {
+    for (Eigen::Index p = 0; p < from.size(); ++p) {
+      const double passed = from[p] > 0 ? -visit.expected[p] : visit.expected[p];
+      EXPECT_LE(passed + 2 * visit.uncertainties[p], limit + 1e-9) << "partial " << p;
+    }
+    from = visit.expected;
   }
 }
 
 TEST(Plan, BringsPartialsNearerAndNotTooFar) {
   const Plan plan = plan_for({60, 30});
   ASSERT_EQ(plan.verdict, Verdict::cut);
-  EXPECT_LE(plan.cuts.size(), 2U);
-  EXPECT_LT(plan.expected[0], 30);
-  EXPECT_LT(plan.expected[1], 20);
+  const Visit& next = plan.visits.front();
+  EXPECT_LT(next.expected[0], 30);
+  EXPECT_LT(next.expected[1], 20);
   expect_safe(plan, 3);
   Eigen::Vector2d sum = plan.errors;
-  for (const Cut& cut : plan.cuts) {
+  for (const Cut& cut : next.cuts) {
     sum += cut.cents;
     EXPECT_LE(cut.depth, 1e-3);
     EXPECT_GE(cut.depth, 1e-4);
-    EXPECT_LE(cut.cents.cwiseAbs().maxCoeff(), 100);
   }
-  EXPECT_NEAR((sum - plan.expected).norm(), 0, 1e-9);
+  EXPECT_NEAR((sum - next.expected).norm(), 0, 1e-9);
+}
+
+TEST(Plan, LooksAheadToTheTarget) {
+  const Plan plan = plan_for({60, 30}, {.depth_error = 2e-5});
+  ASSERT_GE(plan.visits.size(), 2U);
+  EXPECT_LE(plan.visits.size(), 6U);
+  EXPECT_LE(plan.visits.back().expected.cwiseAbs().maxCoeff(), 3);
+}
+
+// A cut of this body moves its partials by the square of the depth, too.
+TEST(Plan, TakesWhatTheModelSolvesInsteadOfSlopes) {
+  const CutModel curved = [](const std::vector<Cut>& cuts) {
+    CutBody body = straight(bar())(cuts);
+    const double more = 1 + 0.02 * body.moved.norm();
+    body.moved *= more;
+    body.strips.slopes *= 2 * more - 1;
+    return body;
+  };
+  const Plan plan = plan_cuts(curved, both_tools, {Eigen::Vector2d(60, 30), Eigen::Vector2d(0.5, 0.5), false}, {});
+  ASSERT_EQ(plan.verdict, Verdict::cut);
+  expect_safe(plan, 3);
+  std::vector<Cut> made;
+  for (const Visit& visit : plan.visits) {
+    made.insert(made.end(), visit.cuts.begin(), visit.cuts.end());
+    EXPECT_NEAR((plan.errors + curved(made).moved - visit.expected).norm(), 0, 1e-9);
+  }
 }
 
 TEST(Plan, OfRatiosLeavesThePitchFree) {
@@ -130,14 +201,14 @@ TEST(Plan, OfRatiosLeavesThePitchFree) {
   ASSERT_EQ(plan.verdict, Verdict::cut);
   EXPECT_NEAR(plan.errors[0], 0, 1e-12);
   EXPECT_NEAR(plan.errors[1], 40, 1e-12);
-  EXPECT_LT(plan.expected[1], 20);
+  EXPECT_LT(plan.visits.front().expected[1], 20);
   expect_safe(plan, 3);
 }
 
 TEST(Plan, EndsWhereThePartialsAreInTune) {
   const Plan plan = plan_for({2.5, -2.5});
   EXPECT_EQ(plan.verdict, Verdict::in_tune);
-  EXPECT_TRUE(plan.cuts.empty());
+  EXPECT_TRUE(plan.visits.empty());
 }
 
 TEST(Plan, SaysWhatIsNotSafe) {
@@ -147,10 +218,11 @@ TEST(Plan, SaysWhatIsNotSafe) {
 TEST(Plan, SaysWhatIsOutOfReach) {
   Strips lowering = bar();
   lowering.slopes = -lowering.slopes.cwiseAbs();
-  const Plan plan = plan_cuts(lowering, both_tools, {Eigen::Vector2d(20, -15), Eigen::Vector2d(1, 1), false}, {});
+  const Plan plan =
+      plan_cuts(straight(lowering), both_tools, {Eigen::Vector2d(20, -15), Eigen::Vector2d(1, 1), false}, {});
   EXPECT_EQ(plan.verdict, Verdict::out_of_reach);
   EXPECT_LE(plan.unreachable[1], -15);
-  EXPECT_TRUE(plan.cuts.empty());
+  EXPECT_TRUE(plan.visits.empty());
 }
 
 }  // namespace

@@ -58,6 +58,10 @@ void add_triangle(const Corners& corners, const Side& side, double low, Strips& 
       side.sign * area[side.facing] / 3 * (corners[0].slopes + corners[1].slopes + corners[2].slopes);
 }
 
+[[noreturn]] void throw_uncuttable(const Side& side) {
+  throw std::runtime_error(fmt::format("--side: nothing of the body can be cut at its side {}", name_of(side)));
+}
+
 }  // namespace
 
 Side read_side(const std::string& name, const mesh::Mesh& mesh) {
@@ -85,6 +89,19 @@ char axis_name(const Side& side) {
   return "xyz"[side.along];
 }
 
+std::vector<mesh::Triangle> side_faces(const mesh::Mesh& mesh, const Side& side) {
+  std::vector<mesh::Triangle> faces;
+  std::ranges::copy_if(mesh.outer_surface(), std::back_inserter(faces), [&](const mesh::Triangle& triangle) {
+    const Vector3 a = mesh.nodes[triangle[0]];
+    const Vector3 normal = (mesh.nodes[triangle[1]] - a).cross(mesh.nodes[triangle[2]] - a).normalized();
+    return side.sign * normal[side.facing] >= least_facing;
+  });
+  if (faces.empty()) {
+    throw_uncuttable(side);
+  }
+  return faces;
+}
+
 Strips strips_of(const mesh::Mesh& mesh, const eigenmodes::RemovalSlopes& removal, const Side& side) {
   const Eigen::AlignedBox3d box = box_of(mesh);
   const double low = box.min()[side.along];
@@ -101,11 +118,8 @@ Strips strips_of(const mesh::Mesh& mesh, const eigenmodes::RemovalSlopes& remova
     place_of[removal.nodes[i]] = static_cast<Index>(i);
   }
   bool has_faces = false;
-  for (const mesh::Triangle& triangle : mesh.outer_surface()) {
-    const Vector3 a = mesh.nodes[triangle[0]];
-    const Vector3 normal = (mesh.nodes[triangle[1]] - a).cross(mesh.nodes[triangle[2]] - a).normalized();
-    if (side.sign * normal[side.facing] < least_facing ||
-        std::ranges::any_of(triangle, [&](Index node) { return place_of[node] < 0; })) {
+  for (const mesh::Triangle& triangle : side_faces(mesh, side)) {
+    if (std::ranges::any_of(triangle, [&](Index node) { return place_of[node] < 0; })) {
       continue;
     }
     Corners corners;
@@ -119,7 +133,7 @@ Strips strips_of(const mesh::Mesh& mesh, const eigenmodes::RemovalSlopes& remova
     has_faces = true;
   }
   if (!has_faces) {
-    throw std::runtime_error(fmt::format("--side: nothing of the body can be cut at its side {}", name_of(side)));
+    throw_uncuttable(side);
   }
   return strips;
 }

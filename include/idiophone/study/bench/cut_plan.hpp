@@ -4,8 +4,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-#include "idiophone/study/bench/cut_side.hpp"
-#include "idiophone/study/bench/tool.hpp"
+#include "idiophone/study/bench/cut_model.hpp"
 
 namespace idiophone::bench {
 
@@ -23,13 +22,6 @@ struct PlanOptions {
   double slope_error = 0.1;   ///< standard deviation of what a cut does, over that
 };
 
-struct Cut {
-  Tool tool;
-  double place = 0.0;     ///< m, of its middle along the body
-  double depth = 0.0;     ///< m
-  Eigen::VectorXd cents;  ///< [partials] by which it moves them
-};
-
 enum class Verdict {
   in_tune,      ///< no cut is needed
   cut,          ///< make the cuts, and tap again
@@ -37,26 +29,34 @@ enum class Verdict {
   out_of_reach  ///< no removal reaches the targets
 };
 
-/// What to do next. Errors are cents above the target; of ratios those of the interval above the first partial.
+/// Cuts that are made between two taps.
+struct Visit {
+  std::vector<Cut> cuts;          ///< by their places
+  Eigen::VectorXd expected;       ///< [partials] errors after the cuts
+  Eigen::VectorXd uncertainties;  ///< [partials] standard deviations of `expected`
+};
+
+/// What to do. Errors are cents above the target; of ratios those of the interval above the first partial.
 struct Plan {
   Verdict verdict = Verdict::in_tune;
-  std::vector<Cut> cuts = {};          ///< to make now, by their places
-  Eigen::VectorXd errors = {};         ///< [partials] now
-  Eigen::VectorXd expected = {};       ///< [partials] errors after the cuts
-  Eigen::VectorXd uncertainties = {};  ///< [partials] standard deviations of `expected`
-  Eigen::VectorXd unreachable =
-      {};  ///< [partials] errors that the best cuts, each up to half of the body's thickness, leave
+  Eigen::VectorXd errors = {};       ///< [partials] now
+  Eigen::VectorXd measured = {};     ///< [partials] standard deviations of `errors`
+  std::vector<Visit> visits = {};    ///< the cuts to make now, and then those of each next visit if each tap gives what
+                                     ///< is expected; up to the target, or to where no cut is safe
+  Eigen::VectorXd unreachable = {};  ///< [partials] errors that the best cuts, each up to half of the body's thickness,
+                                     ///< leave
 };
 
 /// What a cut across the side does at a place (m), for each metre of its depth. [partials] cents/m
 [[nodiscard]] Eigen::VectorXd slopes_of(const Strips& strips, const Tool& tool, double place);
 
-/// Chooses cuts by non-negative least squares over all tools and places. They go as far as they can, so that with a
-/// probability of 97.7 % for each partial (two standard deviations) none passes its target by more than the tolerance,
-/// or than twice the uncertainty of its measurement where that is more. No cut is deeper than allowed, and none moves a
-/// partial by more than 100 cents, because the slopes hold for small cuts.
-/// @param strips  with the slopes of the partials
-[[nodiscard]] Plan plan_cuts(const Strips& strips, const std::vector<Tool>& tools, const Partials& partials,
+/// Chooses cuts by non-negative least squares over all tools and places. Each partial goes as near to its target as it
+/// can, so that with a probability of 97.7 % (two standard deviations) it does not pass it by more than the tolerance,
+/// or than twice the uncertainty of its measurement where that is more. The body is solved with the cuts, and they are
+/// chosen once more by the slopes half-way. No cut is deeper than allowed, and none moves a partial by more than 100
+/// cents.
+/// @param model  of the body; what it is with no further cut counts as the measured body
+[[nodiscard]] Plan plan_cuts(const CutModel& model, const std::vector<Tool>& tools, const Partials& partials,
                              const PlanOptions& options);
 
 }  // namespace idiophone::bench

@@ -28,6 +28,10 @@ struct Side {
 /// "x", of the axis along which cuts are placed
 [[nodiscard]] char axis_name(const Side& side);
 
+/// Triangles of the surface that look within 60 degrees to the side's end.
+/// @throws std::runtime_error if none does
+[[nodiscard]] std::vector<mesh::Triangle> side_faces(const mesh::Mesh& mesh, const Side& side);
+
 /// What material that is removed from strips of a side does to modes. Strips lie across the side, one beside the other.
 struct Strips {
   double width = 0.0;          ///< of each, m
@@ -36,9 +40,8 @@ struct Strips {
   Eigen::MatrixXd slopes;      ///< [modes x strips] cents for each metre of depth
 };
 
-/// @param removal  of this mesh. Faces that look within 60 degrees to the side's end belong to the side; depth is
-///                 measured along the axis that the side faces
-/// @throws std::runtime_error if no face does
+/// @param removal  of this mesh; depth is measured along the axis that the side faces
+/// @throws std::runtime_error if all faces of the side are held, and as side_faces()
 [[nodiscard]] Strips strips_of(const mesh::Mesh& mesh, const eigenmodes::RemovalSlopes& removal, const Side& side);
 
 }  // namespace idiophone::bench

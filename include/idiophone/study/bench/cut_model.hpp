@@ -1,0 +1,30 @@
+#pragma once
+// What a plan of cuts asks of a body.
+
+#include <Eigen/Core>
+#include <functional>
+#include <vector>
+
+#include "idiophone/study/bench/cut_side.hpp"
+#include "idiophone/study/bench/tool.hpp"
+
+namespace idiophone::bench {
+
+/// A cut across a side of a body.
+struct Cut {
+  Tool tool;
+  double place = 0.0;     ///< m, of its middle along the body
+  double depth = 0.0;     ///< m
+  Eigen::VectorXd cents;  ///< [partials] by which it moves them; empty of a cut that was made earlier
+};
+
+/// A body after some cuts, as a model has it.
+struct CutBody {
+  Eigen::VectorXd moved;  ///< [partials] cents by which these cuts have moved them
+  Strips strips;          ///< slopes of the partials for further cuts
+};
+
+/// Solves a body with cuts beside those that it has already.
+using CutModel = std::function<CutBody(const std::vector<Cut>&)>;
+
+}  // namespace idiophone::bench

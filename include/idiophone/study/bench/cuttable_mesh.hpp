@@ -1,0 +1,45 @@
+#pragma once
+// The mesh of a body whose nodes move with cuts at one of its sides.
+
+#include <array>
+#include <vector>
+
+#include "idiophone/solids/mesh/mesh.hpp"
+#include "idiophone/study/bench/cut_model.hpp"
+#include "idiophone/study/bench/cut_side.hpp"
+
+namespace idiophone::bench {
+
+/// Nodes of the side move into the body by the mean depth of the cuts around them, weighted by linear shape functions
+/// of the surface, so that the removed volume is right however narrow a cut is. Nodes between the side and the surface
+/// behind it move with them, the less the nearer they are to that surface.
+class CuttableMesh {
+ public:
+  /// @throws as side_faces()
+  CuttableMesh(mesh::Mesh mesh, const Side& side);
+
+  [[nodiscard]] const mesh::Mesh& uncut() const { return mesh_; }
+
+  /// The mesh after some cuts. Its hash is empty: it is another body.
+  /// @throws std::runtime_error where cuts take more than half of the thickness
+  [[nodiscard]] mesh::Mesh with(const std::vector<Cut>& cuts) const;
+
+ private:
+  /// A node that moves by the mean depth at the corners of the face below it.
+  struct Follower {
+    Index node;
+    mesh::Triangle corners;
+    std::array<double, 3> shares;  ///< of the depth at each corner
+    double thickness;              ///< of the body at this node, m
+  };
+
+  [[nodiscard]] std::vector<double> depths_of(const std::vector<Cut>& cuts) const;  ///< [nodes] m, at the side
+  void follow(Index node);
+
+  mesh::Mesh mesh_;
+  Side side_;
+  std::vector<mesh::Triangle> faces_;  ///< of the side
+  std::vector<Follower> followers_;
+};
+
+}  // namespace idiophone::bench

@@ -1,0 +1,62 @@
+#include "certainty.hpp"
+
+#include <cmath>
+
+namespace idiophone::bench {
+
+using Eigen::ArrayXd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+Certainty::Certainty(const Partials& partials, const PlanOptions& options)
+    : options_(options), are_ratios_(partials.are_ratios), measured_(partials.uncertainties) {
+  if (are_ratios_) {
+    measured_ = (measured_.array().square() + std::pow(partials.uncertainties[0], 2)).sqrt();
+    measured_[0] = 0.0;
+  }
+  limits_ = (certain * measured_).cwiseMax(options.tolerance);
+}
+
+MatrixXd Certainty::of_intervals(const MatrixXd& cents) const {
+  return are_ratios_ ? MatrixXd(cents.rowwise() - cents.row(0)) : cents;
+}
+
+bool Certainty::is_in_tune(const VectorXd& errors) const {
+  return errors.cwiseAbs().maxCoeff() <= options_.tolerance;
+}
+
+VectorXd Certainty::after(const std::vector<Cut>& cuts) const {
+  ArrayXd squares = measured_.array().square();
+  VectorXd moved = VectorXd::Zero(measured_.size());
+  for (const Cut& cut : cuts) {
+    moved += cut.cents;
+    squares += (options_.depth_error / cut.depth * of_intervals(cut.cents).array()).square();
+  }
+  ArrayXd by_slopes = (options_.slope_error * moved.array()).square();
+  if (are_ratios_) {
+    const double of_first = by_slopes[0];
+    by_slopes += of_first;
+    by_slopes[0] = 0.0;
+  }
+  return (squares + by_slopes).sqrt();
+}
+
+VectorXd Certainty::to_leave(const VectorXd& errors, const VectorXd& spread) const {
+  const ArrayXd rest = (certain * spread - limits_).array().max(0.0).min(errors.array().abs());
+  return (errors.array() > 0).select(rest, -rest);
+}
+
+VectorXd Certainty::too_far(const VectorXd& errors, const VectorXd& expected, const VectorXd& spread) const {
+  constexpr double nothing = 1e-9;  // cents
+  const ArrayXd up = (errors.array() > 0).select(ArrayXd::Constant(errors.size(), -1), 1);
+  const ArrayXd passed = up * expected.array() + certain * spread.array() - limits_.array();
+  return (passed > nothing).select(up * passed, 0.0);
+}
+
+bool Certainty::is_gentle(const VectorXd& slopes, const VectorXd& errors) const {
+  constexpr double share = 0.25;  // of the error
+  const ArrayXd thrown = certain * options_.depth_error * slopes.array().abs();
+  return (thrown <= limits_.array().max(share * errors.array().abs())).all();
+}
+
+}  // namespace idiophone::bench
