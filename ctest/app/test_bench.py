@@ -46,11 +46,21 @@ class Bench(program.TestCase):
         self.assertTrue(seen["cut_triangles"] > 0 and seen["coloured"] > 5, "the surface is not coloured")
         self.assertNotEqual(seen["first_legend"], seen["last_legend"])
 
-    def test_measured_partials_are_matched_and_keep_their_shifts(self):
-        modes = program.idiophone("modes", BAR, *COARSE, "--mass", "consistent", "--modes", "6", "--output-folder", self.output,
-                                  "--json")
+    def computed(self, *arguments):
+        modes = program.idiophone("modes", BAR, *COARSE, *arguments, "--mass", "consistent", "--modes", "6", "--output-folder",
+                                  self.output, "--json")
         self.require_status(modes, program.FINISHED)
-        computed = [mode["frequency"] for mode in json.loads(modes.stdout)["modes"]]
+        return [mode["frequency"] for mode in json.loads(modes.stdout)["modes"]]
+
+    def test_warns_where_a_line_may_be_that_of_another_mode(self):
+        square = "--set", "bodies.bar.parameters={width: 0.013, centre: 0.0129, size: 0.05}"
+        job = self.bench(*square, "--target", "1:2.7", "--mode-numbers", "1,3", *self.measured(self.computed(*square)))
+        self.assertIn("modes 1 and 2 are computed", job.stderr)
+        job = self.bench(*TARGET, *self.measured(self.computed()))
+        self.assertNotIn("cents apart", job.stderr)
+
+    def test_measured_partials_are_matched_and_keep_their_shifts(self):
+        computed = self.computed()
         facts = self.facts(*self.measured([frequency * 2 ** ((150 + 5 * number) / 1200)
                                            for number, frequency in enumerate(computed)]))
         for partial, number in zip(facts["partials"], (0, 1, 4), strict=True):

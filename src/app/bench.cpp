@@ -1,6 +1,7 @@
 // `idiophone bench`: where, how wide and how deep to cut next, so that the partials of a body come to their targets.
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <cmath>
@@ -93,6 +94,20 @@ std::vector<std::optional<fitting::Line>> measured_lines(const BenchOptions& opt
   return fitting::lines_of_modes(frequencies, fitting::read_measurements(options.measured).lines, options.match).lines;
 }
 
+/// Lines keep the order of the modes, which can be wrong where two modes of different kinds are nearly as high.
+void warn_of_neighbours(const std::vector<eigenmodes::Mode>& modes, std::size_t mode, const fitting::Line& line) {
+  constexpr double close = 50.0;  // cents, by which wood moves torsion against bending
+  for (std::size_t other = 0; other < modes.size(); ++other) {
+    const double apart = std::abs(partials::cents(modes[other].frequency, modes[mode].frequency));
+    if (other != mode && apart < close) {
+      spdlog::warn(
+          "modes {} and {} are computed {:.0f} cents apart, so the line at {:.2f} Hz may be that of the other one. Tap "
+          "where only the one to be tuned moves, or give its line in a YAML file",
+          mode + 1, other + 1, apart, line.frequency);
+    }
+  }
+}
+
 /// The partials of the target, without what they are to become.
 std::vector<BenchPartial> partials_of(const BenchOptions& options, const std::vector<int>& numbers,
                                       const bench::Workpiece::Solved& body) {
@@ -107,6 +122,9 @@ std::vector<BenchPartial> partials_of(const BenchOptions& options, const std::ve
           fmt::format("{}: mode {}, computed at {:.1f} Hz, was not measured. Tap where it moves much, give its line in "
                       "a YAML file, correct the deck by `identify`, or allow more by --match",
                       options.measured.string(), number, modes[mode].frequency));
+    }
+    if (lines[mode]) {
+      warn_of_neighbours(modes, mode, *lines[mode]);
     }
     partials.push_back({.mode = number, .computed = modes[mode].frequency, .line = lines[mode]});
   }
