@@ -32,6 +32,20 @@ class Joints(program.TestCase):
         self.assertGreater(energy[:, 5].max(), 0)
         self.assertLess(abs(total / total[0] - 1).max(), 0.02)
 
+    def test_modal_bodies_stay_together_with_the_same_bits_on_any_ranks(self):
+        modal = "--set", "bodies.right.model={type: modal, count: 6}", "--set", "materials.rubber.damping=null"
+        self.job = program.run("joined", self.output, *modal)
+        self.require_status(self.job, program.FINISHED)
+        self.assertIn("body right: 84 nodes, 2 hex elements", self.job.stdout)
+        self.assertIn("rigid motion, 12 modes", self.job.stdout, "no further modes for the joint")
+        alone = program.contents(self.output / "joined.h5")
+        momentum = alone["motion/left/velocity"] + alone["motion/right/velocity"]
+        self.assertLess(abs(momentum - momentum[0]).max(), 1e-9)
+        apart = numpy.linalg.norm(alone["motion/right/centre_of_mass"] - alone["motion/left/centre_of_mass"], axis=1)
+        self.assertLess(abs(apart / 0.0605 - 1).max(), 0.05)
+        self.require_status(program.run("joined", self.output, *modal, ranks=3), program.FINISHED)
+        self.require_same(self.output / "joined.h5", alone)
+
     def test_modes_are_those_of_both_bodies(self):
         job = program.idiophone("modes", DECK, "--modes", "4", "--output-folder", self.output)
         self.require_status(job, program.FINISHED)

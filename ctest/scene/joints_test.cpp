@@ -62,9 +62,11 @@ TEST_F(Joints, AnswerMistakes) {
 
 TEST_F(Joints, AreRefusedBesideWhatTheyDoNotKnow) {
   const std::string joint = glue("stiffness: rigid");
-  EXPECT_EQ(mistakes(replaced(plate, "fixed: [rim]", "model: {type: modal}") + joint),
-            "deck.yaml:11:27: joints.glue: body 'plate' is a modal body: use model: {type: finite_elements}\n"
-            "deck.yaml:11:38: joints.glue: body 'plate' is a modal body: use model: {type: finite_elements}");
+  EXPECT_EQ(mistakes(replaced(plate, "fixed: [rim]", "model: {type: modal, large_amplitudes: true}") + joint),
+            "deck.yaml:11:27: joints.glue: body 'plate' has large_amplitudes: leave them out, or use model: {type: "
+            "finite_elements}\n"
+            "deck.yaml:11:38: joints.glue: body 'plate' has large_amplitudes: leave them out, or use model: {type: "
+            "finite_elements}");
   EXPECT_EQ(
       mistakes(replaced(plate, "loads:\n", "loads:\n  pull: {type: pluck, at: [0, 0, 0], force: [0, 0, 1]}\n") + joint),
       "deck.yaml:8:27: loads.pull: a pluck cannot act on body 'plate', which has joints: use a pulse");

@@ -124,8 +124,8 @@ namespace {
 
 /// What a body cannot have beside a joint; empty: nothing.
 std::string obstacle_to_joint(const Body& body) {
-  if (body.modal) {
-    return "is a modal body: use model: {type: finite_elements}";
+  if (body.modal && body.modal->stretching_tolerance) {
+    return "has large_amplitudes: leave them out, or use model: {type: finite_elements}";
   }
   if (!body.fracture.empty()) {
     return "can break: leave out its fracture or the joint";

@@ -14,7 +14,8 @@ namespace idiophone::bodies {
 
 namespace {
 
-/// Nodes of a body that loads, supports or contacts may act on, ascending, in the mesh's numbers.
+/// Nodes of a body that loads, supports or contacts may act on, ascending, in the mesh's numbers. Not those of joints:
+/// what all of them do together is in the body's modes.
 std::vector<Index> loaded_nodes(const Preparation& ready, std::size_t body) {
   const motion::Attachments& attachments = ready.attachments;
   std::vector<Index> nodes;
@@ -44,6 +45,12 @@ std::vector<Index> loaded_nodes(const Preparation& ready, std::size_t body) {
     }
   }
   keep_each_once(nodes);
+  std::vector<Index> joined;
+  for (const joints::MeshedJoint& joint : attachments.joints) {
+    std::ranges::transform(joint.weights, std::back_inserter(joined), &joints::NodeWeight::node);
+  }
+  keep_each_once(joined);
+  std::erase_if(nodes, [&](Index node) { return std::ranges::binary_search(joined, node); });
   for (Index& node : nodes) {
     node -= ready.offsets.nodes[body];
   }
@@ -78,10 +85,13 @@ void require_fine_mesh(const Preparation& ready, std::size_t b) {
 
 modal_bodies::ModalBases find_modal_bases(const Preparation& ready, const std::vector<mesh::Mesh>& meshes) {
   modal_bodies::ModalBases bases;
+  const auto joined = eigenmodes::joined_motions(ready.scene, meshes);
   for (std::size_t b = 0; b < meshes.size(); ++b) {
     if (ready.scene.bodies[b].modal) {
       require_fine_mesh(ready, b);
-      bases[b] = eigenmodes::modal_basis(ready.scene, b, meshes[b], loaded_nodes(ready, b));
+      const auto motion = joined.find(b);
+      bases[b] = eigenmodes::modal_basis(ready.scene, b, meshes[b], loaded_nodes(ready, b),
+                                         motion == joined.end() ? nullptr : &motion->second);
     }
   }
   return bases;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "damped_mode.hpp"
 #include "fewest_terms.hpp"
 #include "find_stretching.hpp"
 #include "flexibility_solution.hpp"
@@ -14,6 +15,8 @@
 #include "idiophone/solids/accuracy/pitch_error.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/mesh/statistics.hpp"
+#include "joined_shapes.hpp"
+#include "rigid_motions.hpp"
 
 namespace idiophone::eigenmodes {
 
@@ -77,7 +80,7 @@ void check(const Modes& found, const scene::Body& body, const deck::Location& wh
 }  // namespace
 
 modal_bodies::ModalBasis modal_basis(const scene::Solids& solids, std::size_t body, const mesh::Mesh& mesh,
-                                     std::span<const Index> loaded) {
+                                     std::span<const Index> loaded, const JoinedMotion* joined) {
   const scene::ModalModel& model = *solids.bodies[body].modal;
   scene::Body unsupported = solids.bodies[body];
   unsupported.supports.clear();  // they are loads of a modal body
@@ -97,6 +100,12 @@ modal_bodies::ModalBasis modal_basis(const scene::Solids& solids, std::size_t bo
   }
   check(found, solids.bodies[body], model.where);
   const Operators operators(alone, part, attachments, MassMatrix::lumped, MPI_COMM_SELF);
+  if (joined != nullptr) {
+    const auto rigid = rigid_motions(part, operators, MPI_COMM_SELF);
+    for (Eigenpair& pair : joined_shapes(operators, found, rigid, *joined)) {
+      found.modes.push_back(damped_mode(std::move(pair), alone, operators, part, MPI_COMM_SELF));
+    }
+  }
   modal_bodies::ModalBasis basis = basis_of(found, operators.dynamics());
   basis.mass_damping = solids.materials[unsupported.material].damping.of_all_motion();
   double mass = 0.0;

@@ -58,16 +58,20 @@ std::vector<double> ModalBody::inverse_masses() const {
   return inverse;
 }
 
-motion::StableStep ModalBody::stable_step(const motion::Supports& supports) const {
-  const std::vector<double> inverse = inverse_masses();
-  double square = highest_frequency_ * highest_frequency_;
-  motion::StableStep result;
-  for (std::size_t i = 0; i < inverse.size(); ++i) {
-    const std::size_t node = body_.owned_begin + i;
-    square += supports.stiffness[node] * inverse[i];
-    result.damping += supports.damping[node] * inverse[i];
+double ModalBody::largest_eigenvalue(std::span<const double> springs) const {
+  const std::span<const double> own = springs.subspan(body_.owned_begin, inertia_.masses().size());
+  double of_residual = 0.0;  // each node has its own oscillators
+  for (std::size_t node = 0; node < own.size(); ++node) {
+    of_residual = std::max(of_residual, own[node] * residual_.inverse_mass(node));
   }
-  result.largest_frequency = std::sqrt(square);
+  return own.empty() ? 0.0 : inertia_.largest_eigenvalue(shapes_, is_free_, own) + of_residual;
+}
+
+motion::StableStep ModalBody::stable_step(const motion::Supports& supports) const {
+  motion::StableStep result;
+  result.damping = largest_eigenvalue(supports.damping);
+  result.largest_frequency =
+      std::sqrt(highest_frequency_ * highest_frequency_ + largest_eigenvalue(supports.stiffness));
   result.step = motion::largest_step(result.largest_frequency, result.damping);
   return result;
 }

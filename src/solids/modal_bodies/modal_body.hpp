@@ -70,6 +70,9 @@ class ModalBody : public motion::BodyModel {
   [[nodiscard]] int resolved(int most_at_once) const;
   /// The part of the nodes' own inverse masses that rigid motion and modes lack, mean of all directions, 1/kg. [nodes]
   [[nodiscard]] std::vector<double> omitted_mobility() const;
+  /// At least the largest eigenvalue of springs from nodes to the ground among all coordinates, (rad/s)^2.
+  /// @param springs  [local nodes] N/m; of dashpots (N s/m), the eigenvalue is in 1/s
+  [[nodiscard]] double largest_eigenvalue(std::span<const double> springs) const;
   void find_load(std::span<const NodeForce> force, std::span<const NodeState> state, Load& load) const;
   void update_chosen(std::span<NodeState> state) const;
   /// Puts the states of a pack of nodes together from rigid motion and vibration.

@@ -1,7 +1,9 @@
 #include "modal_inertia.hpp"
 
 #include <Eigen/LU>
+#include <cmath>
 
+#include "idiophone/foundation/dense/dense.hpp"
 #include "idiophone/foundation/inertia_tensor.hpp"
 
 namespace idiophone::modal_bodies {
@@ -85,6 +87,29 @@ std::vector<Eigen::Matrix3d> ModalInertia::mobilities(const ModalShapes& shapes,
     }
   }
   return mobilities;
+}
+
+double ModalInertia::largest_eigenvalue(const ModalShapes& shapes, bool is_free,
+                                        std::span<const double> springs) const {
+  const Eigen::Index rigid = is_free ? 6 : 0;
+  const auto size = rigid + std::ssize(moments_);
+  const Eigen::Matrix3d turn = dense::inverse_root(inertia_tensor(moment_));
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
+  Eigen::MatrixXd at_node(3, size);  // what coordinates of unit mass do there, kg^-1/2
+  for (std::size_t node = 0; node < masses_.size(); ++node) {
+    if (springs[node] == 0.0) {
+      continue;
+    }
+    if (is_free) {
+      at_node.leftCols<3>() = Eigen::Matrix3d::Identity() / std::sqrt(mass_);
+      at_node.middleCols<3>(3) = cross_matrix(arms_[node]) * turn;
+    }
+    for (std::size_t mode = 0; mode < moments_.size(); ++mode) {
+      at_node.col(rigid + static_cast<Eigen::Index>(mode)) = shapes.at(mode, node);
+    }
+    matrix += springs[node] * at_node.transpose() * at_node;
+  }
+  return size == 0 || matrix.isZero(0.0) ? 0.0 : dense::eigenpairs(matrix).values.tail(1)[0];
 }
 
 }  // namespace idiophone::modal_bodies

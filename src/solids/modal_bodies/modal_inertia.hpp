@@ -50,6 +50,11 @@ class ModalInertia {
   /// @param is_free  whether the body moves rigidly
   [[nodiscard]] std::vector<Eigen::Matrix3d> mobilities(const ModalShapes& shapes, bool is_free) const;
 
+  /// The largest eigenvalue of springs from the nodes to the ground among rigid motion and the modes, (rad/s)^2.
+  /// @param springs  [nodes] N/m; of dashpots (N s/m), the eigenvalue is in 1/s
+  [[nodiscard]] double largest_eigenvalue(const ModalShapes& shapes, bool is_free,
+                                          std::span<const double> springs) const;
+
  private:
   std::vector<double> masses_;
   std::vector<Vector3> arms_;

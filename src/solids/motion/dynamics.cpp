@@ -160,14 +160,14 @@ void Dynamics::balance_loads(const InitialState& initial_state) {
 
 void Dynamics::choose_nodes(std::vector<Index> nodes, const Period& period, int most_at_once) {
   std::vector<int> at_once;
+  const std::vector<Index> joined = joints_.nodes();
+  nodes.insert(nodes.end(), joined.begin(), joined.end());
   const std::vector<Index> pulsed = loads_.pulsed_nodes(period.begin, period.end);
   for (const mesh::BodyPart& body : part_.bodies) {
     const auto is_own = [&](Index node) { return node >= body.owned_begin && node < body.owned_end; };
     const bool acted_on = std::ranges::any_of(nodes, is_own) || std::ranges::any_of(pulsed, is_own);
     at_once.push_back(acted_on ? 1 : most_at_once);
   }
-  const std::vector<Index> joined = joints_.nodes();
-  nodes.insert(nodes.end(), joined.begin(), joined.end());
   const std::vector<Index> loaded = loads_.nodes();
   nodes.insert(nodes.end(), pulsed.begin(), pulsed.end());
   nodes.insert(nodes.end(), loaded.begin(), loaded.end());

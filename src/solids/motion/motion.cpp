@@ -55,7 +55,7 @@ Motion::Motion(const scene::Solids& solids, const mesh::Part& part, const Attach
       state_(part.node_ids.size()),
       force_(part.node_ids.size()),
       ghost_exchange_(ghost_exchange(part, communicator)),
-      velocity_exchange_(velocity_exchange(part, ghost_exchange_, communicator)),
+      velocity_exchange_(velocity_exchange(solids, part, ghost_exchange_, communicator)),
       node_type_(state_width, MPI_DOUBLE),
       node_rows_(std::span(part.node_ids).first(part.owned_nodes), part.global_nodes, communicator) {
   dynamics_.begin(step_);
@@ -157,7 +157,9 @@ void Motion::send_ghosts() {
 void Motion::receive_ghosts() {
   if (ghosts_travel_) {
     velocity_exchange_->receive(state_);
-    solid::update_displacements(step_, std::span(state_).subspan(part_.owned_nodes));
+    if (!velocity_exchange_->has_displacements()) {
+      solid::update_displacements(step_, std::span(state_).subspan(part_.owned_nodes));
+    }
     ghosts_travel_ = false;
   }
 }

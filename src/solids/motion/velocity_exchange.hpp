@@ -1,6 +1,6 @@
 #pragma once
 // What travels between ranks in each step: the velocities of nodes that are ghosts elsewhere. A ghost moves with them
-// as its owner does, so displacements need not travel.
+// as its owner does, so displacements need not travel, unless nodes of modal bodies are ghosts.
 
 #include <petscsf.h>
 
@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 
+#include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/solid/node_state.hpp"
 
@@ -28,6 +29,9 @@ class VelocityExchange {
   /// @param state  [local nodes]
   virtual void send(std::span<const solid::NodeState> state) = 0;
 
+  /// Whether displacements travel, too.
+  [[nodiscard]] virtual bool has_displacements() const { return false; }
+
   /// Whether it takes so long that forces should be computed meanwhile.
   [[nodiscard]] virtual bool is_slow() const = 0;
 
@@ -36,10 +40,10 @@ class VelocityExchange {
   virtual void receive(std::span<solid::NodeState> state) = 0;
 };
 
-/// Through shared memory if all ranks run on one machine, unless PETSc's option -ghosts_by_messages says no; by
-/// messages otherwise. Collective.
+/// Through shared memory if all ranks run on one machine, unless PETSc's option -ghosts_by_messages says no, or a joint
+/// holds a modal body; by messages otherwise. Collective.
 /// @param exchange  see ghost_exchange; it must live as long as the result
-[[nodiscard]] std::unique_ptr<VelocityExchange> velocity_exchange(const mesh::Part& part, PetscSF exchange,
-                                                                  MPI_Comm communicator);
+[[nodiscard]] std::unique_ptr<VelocityExchange> velocity_exchange(const scene::Solids& solids, const mesh::Part& part,
+                                                                  PetscSF exchange, MPI_Comm communicator);
 
 }  // namespace idiophone::motion

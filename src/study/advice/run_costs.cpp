@@ -63,7 +63,7 @@ std::optional<std::string> modal_proposal(const scene::Scene& scene, double moti
       names.push_back(body.name);
     }
   }
-  if (motion < hour || names.empty() || !scene.joints.empty()) {  // modal bodies know no joints
+  if (motion < hour || names.empty() || !scene.joints.empty()) {  // which can limit the step of modal bodies, too
     return {};
   }
   return fmt::format(

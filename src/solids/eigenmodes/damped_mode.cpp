@@ -1,0 +1,116 @@
+#include "damped_mode.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "idiophone/foundation/parallel/reduce.hpp"
+#include "idiophone/solids/eigenmodes/material_damping.hpp"
+#include "shares_of_strain.hpp"
+
+namespace idiophone::eigenmodes {
+
+namespace {
+
+constexpr double radians = 2 * std::numbers::pi;  // of 1 Hz in 1 s
+
+/// Turns the sign of each shape so that its largest component is positive. Of components that are as large, but for
+/// rounding, the one with the lowest global number counts.
+void orient(std::vector<double>& shape, const mesh::Part& part, MPI_Comm communicator) {
+  double largest = 0.0;
+  for (const double value : shape) {
+    largest = std::max(largest, std::abs(value));
+  }
+  largest = parallel::largest(largest, communicator);
+  constexpr double as_large = 1 - 1e-3;
+  std::int64_t first = std::numeric_limits<std::int64_t>::max();  // twice a component's number, and 1 if it is negative
+  for (std::size_t c = 0; c < shape.size(); ++c) {
+    if (std::abs(shape[c]) >= as_large * largest) {
+      const std::int64_t component = 3 * std::int64_t{part.node_ids[c / 3]} + static_cast<std::int64_t>(c % 3);
+      first = std::min(first, 2 * component + (shape[c] < 0 ? 1 : 0));
+    }
+  }
+  const bool negative = parallel::smallest(first, communicator) % 2 == 1;
+  for (double& value : shape) {
+    value *= negative ? -1.0 : 1.0;
+  }
+}
+
+/// How fast a motion of this damping ratio dies away, over w: as its envelope below critical damping, and above it as
+/// the slower of the two motions without oscillation, zeta - sqrt(zeta^2 - 1).
+double decay_factor(double damping_ratio) {
+  if (damping_ratio <= 1) {
+    return damping_ratio;
+  }
+  return 1 / (damping_ratio + std::sqrt(damping_ratio * damping_ratio - 1));
+}
+
+/// alpha of a mode, 1/s: the mean of its bodies', each with its share of the moving mass.
+double mass_damping(const scene::Solids& solids, const mesh::Part& part, const motion::Dynamics& dynamics,
+                    std::span<const double> shape, MPI_Comm communicator) {
+  std::array<double, 2> sums = {};  // of all mass, and of each mass times its alpha
+  for (std::size_t b = 0; b < part.bodies.size(); ++b) {
+    const double alpha = solids.materials[solids.bodies[b].material].damping.of_all_motion();
+    const std::span<const double> masses = dynamics.model(b).masses();
+    for (std::size_t node = 0; node < masses.size(); ++node) {
+      const Vector3 moved(&shape[3 * (part.bodies[b].owned_begin + node)]);
+      const double moving = masses[node] * moved.squaredNorm();
+      sums[0] += moving;
+      sums[1] += alpha * moving;
+    }
+  }
+  parallel::reduce(sums, MPI_SUM, communicator);
+  return sums[1] / sums[0];
+}
+
+/// Sets frequency and damping from those of the lossless bodies, w. With unit modal mass their strain is worth
+/// W = w^2 - x^T S x - x^T J x, as supports' springs S and joints J strain no material, nor does the geometric
+/// stiffness of a prestress. The materials damp as damped() says; the dashpots C and the joints, with their relaxation
+/// time tau, add x^T C x + tau x^T J x to 2 zeta w. Each material has its own beta, M and share of W.
+/// @param alpha  mass-proportional damping, 1/s
+void vibrate(Mode& mode, const Eigenpair& pair, double alpha, const Operators& operators, const mesh::Part& part,
+             MPI_Comm communicator) {
+  std::array<double, 2> sums = {};
+  for (std::size_t c = 0; c < pair.vector.size(); ++c) {
+    const double square = pair.vector[c] * pair.vector[c];
+    sums[0] += operators.support()[c / 3] * square;
+    sums[1] += operators.dashpot()[c / 3] * square;
+  }
+  parallel::reduce(sums, MPI_SUM, communicator);
+  const joints::Joints& joints = operators.dynamics().joints();
+  const std::vector<double> of_joints = shares_of_joints(joints, part, pair.vector, communicator);
+  double in_materials = pair.value - sums[0];
+  double damping = alpha;
+  for (std::size_t joint = 0; joint < of_joints.size(); ++joint) {
+    in_materials -= of_joints[joint];
+    damping += joints.all()[joint].damping * of_joints[joint];
+  }
+  std::vector<MaterialStrain> materials;
+  for (const auto& [solid, region, share] :
+       shares_of_strain(operators.dynamics(), part, pair.vector, std::max(0.0, in_materials), communicator)) {
+    materials.push_back({share, solid->stiffness_damping(region), solid->relaxation(region)});
+  }
+  const DampedVibration vibration = damped(pair.value, damping, materials);
+  const double w = vibration.angular_frequency;
+  mode.frequency = w / radians;
+  mode.lossless_frequency = std::sqrt(pair.value) / radians;
+  mode.damping_ratio = (vibration.damping + sums[1]) / (2 * w);
+  mode.decay_time = std::log(1000.0) / (decay_factor(mode.damping_ratio) * w);
+}
+
+}  // namespace
+
+Mode damped_mode(Eigenpair pair, const scene::Solids& solids, const Operators& operators, const mesh::Part& part,
+                 MPI_Comm communicator) {
+  Mode mode;
+  vibrate(mode, pair, mass_damping(solids, part, operators.dynamics(), pair.vector, communicator), operators, part,
+          communicator);
+  mode.shape = std::move(pair.vector);
+  orient(mode.shape, part, communicator);
+  return mode;
+}
+
+}  // namespace idiophone::eigenmodes

@@ -1,0 +1,77 @@
+#include "idiophone/solids/eigenmodes/joined_motion.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/scene/joined_bodies.hpp"
+#include "idiophone/solids/eigenmodes/eigenmodes.hpp"
+#include "idiophone/solids/joints/joints.hpp"
+
+namespace idiophone::eigenmodes {
+
+namespace {
+
+/// The modes of the assembly that its modal bodies ask for.
+Options wanted_modes(std::span<const scene::Body> assembly) {
+  Options options;
+  int count = 0;
+  for (const scene::Body& body : assembly) {
+    if (body.modal && body.modal->up_to) {
+      options.up_to = std::max(options.up_to.value_or(0.0), *body.modal->up_to);
+    } else if (body.modal) {
+      count += body.modal->count.value_or(options.count);
+    }
+  }
+  options.count = count;
+  return options;
+}
+
+/// @param bodies  numbers of the assembly's bodies in the scene
+void add_motions(const scene::Scene& scene, const std::vector<std::size_t>& bodies,
+                 const std::vector<mesh::Mesh>& meshes, std::map<std::size_t, JoinedMotion>& motions) {
+  const auto modal = std::ranges::find_if(bodies, [&](std::size_t b) { return scene.bodies[b].modal.has_value(); });
+  const scene::Scene assembly = scene::assembly_of(scene, bodies.front());
+  if (modal == bodies.end() || assembly.joints.empty()) {
+    return;
+  }
+  std::vector<mesh::Mesh> own;
+  std::ranges::transform(bodies, std::back_inserter(own), [&](std::size_t b) { return meshes[b]; });
+  const motion::Attachments attachments = motion::attach(assembly, own);
+  const mesh::Part part = mesh::distribute(own, MPI_COMM_SELF);
+  Modes found;
+  try {
+    found = find_modes(assembly, part, attachments, wanted_modes(assembly.bodies), MPI_COMM_SELF);
+  } catch (const std::runtime_error& error) {
+    throw deck::DeckError(scene.bodies[*modal].modal->where,
+                          std::string("with all that joints tie to the body: ") + error.what());
+  }
+  std::vector<double> springs(part.node_ids.size()), dashpots(springs.size());
+  joints::Joints(attachments.joints, part).add_bounds(springs, dashpots);
+  for (std::size_t place = 0; place < bodies.size(); ++place) {
+    if (!scene.bodies[bodies[place]].modal) {
+      continue;
+    }
+    const auto begin = part.bodies[place].owned_begin, end = part.bodies[place].owned_end;
+    JoinedMotion& motion = motions[bodies[place]];
+    motion.springs.assign(springs.begin() + begin, springs.begin() + end);
+    for (const Mode& mode : found.modes) {
+      motion.frequencies.push_back(2 * std::numbers::pi * mode.lossless_frequency);
+      motion.shapes.emplace_back(mode.shape.begin() + 3 * begin, mode.shape.begin() + 3 * end);
+    }
+  }
+}
+
+}  // namespace
+
+std::map<std::size_t, JoinedMotion> joined_motions(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes) {
+  std::map<std::size_t, JoinedMotion> motions;
+  for (const std::vector<std::size_t>& bodies : scene::assemblies(scene)) {
+    add_motions(scene, bodies, meshes, motions);
+  }
+  return motions;
+}
+
+}  // namespace idiophone::eigenmodes
