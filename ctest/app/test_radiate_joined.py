@@ -61,6 +61,26 @@ class RadiateJoined(program.TestCase):
         self.require_status(self.radiate(LAYERS, "--modes", 1, ranks=2), program.FINISHED)
         self.require_same(self.output / "layers_radiation.h5", alone)
 
+    def beside_a_pebble(self):
+        """A deck in which the joined bodies are not the first ones. The pebble is small and far away."""
+        pebble = ("bodies:\n  pebble: {mesh: MESHES/sphere.geo, parameters: {radius: 0.003, size: 0.003}, element: tet4, "
+                  "position: [0, 0, -1], material: steel}\n")
+        path = self.output / "beside.yaml"
+        path.write_text(LAYERS.read_text().replace("bodies:\n", pebble).replace("../../../meshes", "MESHES")
+                        .replace("MESHES", str(program.SOURCE / "meshes")))
+        return path
+
+    def test_joined_bodies_need_not_be_the_first_ones(self):
+        beside = self.beside_a_pebble()
+        for moved in ("--modes", 1), ("--frequencies", 800):
+            with self.subTest(moved=moved):
+                alone, = self.sounds(LAYERS, *moved)[:1]
+                found, = self.sounds(beside, "--body", "lower", *moved)[:1]
+                self.assertAlmostEqual(10 * numpy.log10(found["power"] / alone["power"]), 0, delta=0.01)
+        with h5py.File(self.output / "layers_upper_radiation.h5") as file:
+            self.assertEqual(file["surface/parts"].asstr()[:].tolist(), ["pebble", "upper"])
+            self.assertEqual(file.attrs["bodies"], 2)
+
     def test_a_surface_that_is_open_at_a_joint_is_refused(self):
         job = self.radiate(program.deck("joined"), "--modes", 2)
         self.assertEqual(job.returncode, program.WRONG_DECK)

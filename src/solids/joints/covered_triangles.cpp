@@ -62,7 +62,9 @@ std::vector<char> covered_triangles(const scene::Solids& solids, const std::vect
     cover(other, of_other, meshes[other.body], {of_one, reach}, of_body(other.body));
   }
   if (!solids.joints.empty() && std::ranges::count(covered, 1) == std::ssize(covered)) {
-    throw deck::DeckError(solids.joints.front().where, "joints cover all of the surface, so it makes no sound");
+    const scene::Joint& joint = solids.joints.front();
+    throw deck::DeckError(joint.where,
+                          fmt::format("joints.{}: joints cover all of the surface, so it makes no sound", joint.name));
   }
   return covered;
 }
