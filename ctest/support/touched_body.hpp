@@ -55,6 +55,14 @@ class TouchedBody {
   /// Another contact at the same point.
   void add(Contact& contact) { contacts_.add(contact, point_); }
 
+  /// The modes get states at once, [modes] z, m sqrt(kg)/s.
+  void start(std::span<const Complex> states) {
+    const std::vector<ModeGroup> first = in_groups(states), none(bank_.groups());
+    const std::vector<ForcePiece> impulse = {{.mean = 1.0}};
+    std::vector<double> sound(1);
+    bank_.advance(std::vector<Drive>{{.force = impulse, .by_mean = first, .by_slope = none}}, gains_, 1, sound);
+  }
+
   void advance(std::size_t samples) {
     std::vector<double> sound(ResonatorBank::most_samples);
     while (samples > 0) {
