@@ -75,7 +75,8 @@ typedef struct {
 /* Why the last function that failed in this thread did so; never null. Valid until the next one fails. */
 IDIOPHONE_API const char* idiophone_message(void);
 
-/* How fast this machine computes sound maps; 1: as the one for which costs are known. Takes some 0.1 s. */
+/* How fast this machine computes sound maps, relative to the machine on which the costs were measured. Takes some
+   0.1 s. */
 IDIOPHONE_API idiophone_status idiophone_measured_speed(double* speed);
 
 IDIOPHONE_API idiophone_status idiophone_map_read(const char* file, idiophone_map** map);
@@ -90,7 +91,8 @@ IDIOPHONE_API idiophone_status idiophone_stage_create(const idiophone_options* o
 /* Null is allowed. */
 IDIOPHONE_API void idiophone_stage_free(idiophone_stage* stage);
 
-/* A body joins; body: its number, the lowest that is free. Who leaves fades, and its number is free then. */
+/* A body joins; body: its number, the lowest that is free. A body that leaves fades without a click after the next
+   step; then its number is free. */
 IDIOPHONE_API idiophone_status idiophone_stage_add(idiophone_stage* stage, const idiophone_map* map, int32_t* body);
 IDIOPHONE_API idiophone_status idiophone_stage_remove(idiophone_stage* stage, int32_t body);
 

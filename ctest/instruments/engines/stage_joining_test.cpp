@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <thread>
 #include <vector>
@@ -138,6 +140,61 @@ TEST(StageJoining, WhoHasLeftStaysSilent) {
   EXPECT_EQ(highest(heard(stage, 20)), 0.0);
 }
 
+TEST(StageJoining, WhatRestedOnABodyThatLeavesIsNotStruck) {
+  const SharedMap map = sheet_map();
+  EngineStage stage(options(), {map, map}, {steel}), other(options(), {map, map}, {steel});
+  for (EngineStage* one : {&stage, &other}) {
+    one->place(1, {.position = {0.0, 0.0, 0.3}});
+    ContactEvent event = blow_at(0);
+    event.bodies = {0, 1};
+    for (int step = 0; step < 20; ++step) {
+      one->contact(event);
+      heard(*one);
+    }
+    one->contact(event);
+  }
+  stage.remove(0);
+  heard(stage, 5);
+  heard(other);  // its contact ends before
+  other.remove(0);
+  heard(other, 4);
+  const std::vector<double> found = heard(stage, 10);
+  EXPECT_GT(highest(found), 0.0);
+  EXPECT_EQ(found, heard(other, 10));
+  EXPECT_EQ(stage.report().impacts, 1U);
+}
+
+TEST(StageJoining, AContactThatWaitsStrikesNoOtherBody) {
+  const SharedMap map = sheet_map();
+  EngineStage stage(options(), {map}, {steel});
+  stage.contact(blow_at(0));
+  stage.remove(0);
+  std::vector<double> block(4096);
+  stage.render(block);
+  static_cast<void>(stage.report());  // frees what has left
+  EXPECT_EQ(stage.add(map), 1U) << "the contact is between the first body and nobody";
+}
+
+/// More forces wait for their time than can be on their way to a body.
+TEST(StageJoining, FadesAtOnceWhateverWaits) {
+  EngineStage stage(options(), {sheet_map()}, {steel});
+  stage.contact(blow_at(0));
+  heard(stage);
+  for (std::uint64_t contact = 1; contact <= 300; ++contact) {
+    ContactEvent event = blow_at(0);
+    event.contact = contact;
+    event.moment = 0.9;
+    stage.contact(event);
+  }
+  stage.remove(0);
+  stage.step(1.0);
+  std::vector<double> block(2400);
+  stage.render(block);
+  EXPECT_GT(highest(block), 0.0);
+  stage.render(block);
+  EXPECT_EQ(highest(block), 0.0);
+}
+
 TEST(StageJoining, NeverLocksOrAllocatesInTheAudioThread) {
   StageOptions limited = options();
   limited.budget = 0.1;
@@ -164,24 +221,36 @@ TEST(StageJoining, NeverLocksOrAllocatesInTheAudioThread) {
 TEST(StageJoining, GoesOnWhileAnotherThreadRenders) {
   const SharedMap map = sheet_map();
   EngineStage stage(options(), {map}, {steel});
-  std::atomic<bool> ends = false;
-  double loudest = 0.0;
+  std::atomic<bool> ends = false, sounds = false;
+  bool is_finite = true;
   std::thread audio([&] {
     std::vector<double> block(64);
     while (!ends) {
       stage.render(block);
-      loudest = std::max(loudest, highest(block));
+      is_finite = is_finite && std::ranges::all_of(block, [](double pa) { return std::isfinite(pa); });
+      sounds = sounds || highest(block) > 0.0;
     }
   });
-  for (int step = 0; step < 300; ++step) {
-    const std::size_t body = stage.add(map);
-    stage.contact(blow_at(body));
+  std::vector<std::size_t> present;
+  bool is_used_again = false;
+  const auto start = std::chrono::steady_clock::now();
+  for (int step = 0; step < 300 || !sounds || !is_used_again; ++step) {
+    if (std::chrono::steady_clock::now() - start > std::chrono::seconds(30)) {
+      ADD_FAILURE() << "nothing sounds, or no number is used again";
+      break;
+    }
+    present.push_back(stage.add(map));
+    is_used_again = is_used_again || std::ranges::max(present) > present.back();
+    stage.contact(blow_at(present.back()));
     stage.step(duration);
-    stage.remove(body);
+    if (present.size() > 8) {
+      stage.remove(present.front());
+      present.erase(present.begin());
+    }
   }
   ends = true;
   audio.join();
-  EXPECT_TRUE(std::isfinite(loudest));
+  EXPECT_TRUE(is_finite);
 }
 
 }  // namespace idiophone::engines

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <vector>
 
 #include "heard_sound.hpp"
 #include "idiophone/instruments/resonators/point_contacts.hpp"
@@ -139,6 +141,36 @@ TEST(TouchedVoices, FollowTheirPlayer) {
   EXPECT_GT(sings, 0.0);
   strokes.end("bow");
   EXPECT_LT(last_power(rate), 0.1 * sings);
+}
+
+TEST(TouchedVoices, LeaveWhileABowRubsThem) {
+  const auto map = std::make_shared<const sound_maps::SoundMap>(sheet());
+  scene::Listener listener;
+  listener.receivers = {{.channel = "ear", .position = {0.1, 0.3, 0.8}}};
+  SoundMapVoices voices({map}, Audience(listener), rate);
+  score::Bow bow = bow_at({0.1, 0.1, 0.0}, 0.2, 1.0);
+  bow.duration = 60.0;
+  voices.touch(0, {.contact = bow}, 0);
+  std::vector<double> sound(9600);
+  voices.render(sound, 0);
+  EXPECT_GT(power(sound), 0.0);
+  voices.remove(0);
+  voices.render(sound, 0);
+  voices.attend();
+  EXPECT_EQ(voices.add(map, {{.position = {0.1, 0.3, 0.8}}}), 0U) << "its number is free";
+}
+
+TEST(TouchedVoices, StayWhereAHeadHearsThem) {
+  const auto map = std::make_shared<const sound_maps::SoundMap>(sheet());
+  scene::Listener listener;
+  listener.receivers.assign(2, {.channel = "ear", .position = {0.1, -2.0, 0.5}});
+  listener.head = scene::Head{.look = Vector3::UnitX(),
+                              .up = Vector3::UnitZ(),
+                              .responses = "/usr/share/libmysofa/MIT_KEMAR_normal_pinna.sofa",
+                              .where = {}};
+  SoundMapVoices voices({map}, Audience(listener, rate), rate);
+  EXPECT_THROW(voices.add(map, {{.position = {0.1, 0.3, 0.8}}}), std::runtime_error);
+  EXPECT_THROW(voices.remove(0), std::runtime_error);
 }
 
 TEST(TouchedVoices, RefuseMoreBowsThanFit) {

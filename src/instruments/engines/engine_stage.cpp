@@ -51,7 +51,7 @@ class EngineStage::Parts {
                std::min(options.most_strokes, bodies.most_strokes()), options.seed) {}
 
   void require_body(std::size_t body) const {
-    if (!bodies.has(body)) {
+    if (!bodies.has(body) || std::ranges::find(leaving, body) != leaving.end()) {
       throw std::runtime_error(fmt::format("there is no body {}", body));
     }
   }
@@ -67,6 +67,15 @@ class EngineStage::Parts {
     start = std::llround(clock);
     clock += is_ahead ? 0.0 : duration * options.rate;
     return pause <= longest_pause;
+  }
+
+  /// The bodies that were removed before the step leave when its contacts have struck: what they rested on, or what
+  /// rested on them, feels their load until then.
+  void let_leave() {
+    for (const std::size_t body : std::exchange(leaving, {})) {
+      sounds.leave(body);
+      bodies.remove(body);
+    }
   }
 
   /// What was chosen to be heard since the last call; nothing without a budget.
@@ -86,6 +95,7 @@ class EngineStage::Parts {
   StageBodies bodies;
   ContactSounds sounds;
   std::vector<ContactEvent> events;  // of the step that follows
+  std::vector<std::size_t> leaving;  // bodies that were removed since the last step
   double clock = 0.0;                // audio sample at which the next step begins
   std::int64_t start = 0;            // of the present step
   double pause = 0.0;                // since the audio thread rendered last, s
@@ -115,8 +125,7 @@ std::size_t EngineStage::add(const SharedMap& map) {
 
 void EngineStage::remove(std::size_t body) {
   parts_->require_body(body);
-  parts_->bodies.remove(body);
-  parts_->sounds.leave(body);
+  parts_->leaving.push_back(body);
 }
 
 void EngineStage::place(std::size_t body, const Pose& pose) {
@@ -152,6 +161,7 @@ void EngineStage::step(double duration) {
   if (is_heard) {
     parts.bodies.send(forces, parts.start, std::llround(duration * parts.options.rate));
   }
+  parts.let_leave();
   parts.note_choices();
 }
 

@@ -59,6 +59,7 @@ StageBodies::StageBodies(const std::vector<SharedMap>& maps, std::vector<Vector3
 
 /// @param ears  as the voices know them
 void StageBodies::join(std::size_t body, const SharedMap& map, std::span<const Vector3> ears) {
+  std::erase_if(loudness_, [](const auto& one) { return one.first.expired(); });
   if (!loudness_.contains(map)) {
     loudness_.emplace(map, loudness_of(*map));
   }

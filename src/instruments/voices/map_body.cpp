@@ -149,6 +149,7 @@ void MapBody::leave() {
   change->reception = reception();
   std::ranges::fill(change->reception.gains, resonators::ModeGroup{});
   change->leaves = true;
+  queued_.clear();
   queued_.emplace_back(std::move(change));
   attend();
 }

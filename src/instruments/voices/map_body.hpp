@@ -34,7 +34,7 @@ class MapBody {
   void hear_at(const ListenerPlace& place);
   void attend();
 
-  /// It fades to silence at once, until Player::has_left(). What is asked for later is not heard.
+  /// It fades to silence at once, until Player::has_left(). What waits to be sent, or is asked for later, is not heard.
   void leave();
 
   /// See Instrument. @throws std::runtime_error when no mode sounds

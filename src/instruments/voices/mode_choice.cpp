@@ -138,7 +138,7 @@ void ModeChoice::spend() {
     heard_[candidate.group] = has_room_for(candidate) ? 1 : 0;
     pay(candidate, heard_[candidate.group] != 0);
   }
-  // What was heard costs as much while it fades. What comes new has to wait until the rest suffices.
+  // What was heard costs as much while it fades. New groups have to wait until the rest suffices.
   cost_ = before;
   for (Part& part : parts_) {
     part.cost = part.is_driven ? part.cost : 0.0;

@@ -21,7 +21,7 @@ class ModeChoice {
   /// For the interval that begins now. Bodies on which forces act, or whose stretching couples the modes, are heard in
   /// full, whatever they cost. Of the others those groups are heard for which the budget suffices: first what is not
   /// masked, by the priority of the body, then by how far it is above what masks it. What was heard before costs for
-  /// another interval, in which it fades. So what comes new may have to wait for that long. While bodies are struck,
+  /// another interval, in which it fades. So new groups may have to wait for that long. While bodies are struck,
   /// room is kept for others that may be.
   [[nodiscard]] MapChoice choose(std::span<MapBody* const> bodies, std::int64_t sample);
 

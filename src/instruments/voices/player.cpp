@@ -20,23 +20,29 @@ std::int64_t start_of(const Command& command) {
   return std::visit([](const auto& one) { return one->start; }, command);
 }
 
+bool is_for_good(const Command& command) {
+  const auto* change = std::get_if<std::unique_ptr<ReceptionChange>>(&command);
+  return change != nullptr && (*change)->leaves;
+}
+
 }  // namespace
 
 Player::Player(MappedSound sound, std::size_t receivers, int rate, std::size_t most_commands)
     : sound_(std::move(sound)),
       receivers_(receivers),
       rate_(rate),
-      incoming_(most_commands),
-      done_(most_commands),
+      incoming_(most_commands + 1),
+      done_(most_commands + 1),
       most_commands_(most_commands) {
-  waiting_.reserve(most_commands);
+  waiting_.reserve(most_commands + 1);
   acting_.reserve(most_commands);
   touches_.reserve(resonators::PointContacts::most);
   drives_.reserve(most_commands);
 }
 
 bool Player::send(Command& command) {
-  if (outstanding_ == most_commands_ || !incoming_.put(command)) {
+  const std::size_t most = most_commands_ + (is_for_good(command) ? 1 : 0);
+  if (outstanding_ >= most || !incoming_.put(command)) {
     return false;
   }
   ++outstanding_;
@@ -57,7 +63,7 @@ Waits Player::waits() const {
 }
 
 void Player::hand_back(Command command) {
-  done_.put(command);  // there is room: no more than most_commands_ are outstanding
+  done_.put(command);  // there is room: no more than most_commands_ + 1 are outstanding
 }
 
 void Player::begin(std::unique_ptr<ForceCommand> excitation, std::int64_t sample) {
@@ -217,14 +223,23 @@ void Player::begin_and_end_due(std::int64_t sample) {
 void Player::render(std::int64_t sample, std::span<double> sound) {
   prepare(sample, sound.size() / receivers_);
   sound_.render(sample, drives_, *contacts_, sound);
-  if (sound_.has_left()) {
-    has_left_.store(true, std::memory_order_relaxed);
-  }
+  note_leaving();
 }
 
 resonators::BodyInContact Player::begin_contact(std::int64_t sample, std::size_t samples) {
   prepare(sample, samples);
   return sound_.begin_contact(sample, drives_, samples);
+}
+
+void Player::end_contact(std::int64_t sample, std::span<double> sound) {
+  sound_.end_contact(sample, sound);
+  note_leaving();
+}
+
+void Player::note_leaving() {
+  if (sound_.has_left()) {
+    has_left_.store(true, std::memory_order_relaxed);
+  }
 }
 
 }  // namespace idiophone::voices

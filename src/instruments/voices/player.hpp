@@ -20,7 +20,8 @@ class Player {
   /// @param most_commands  MapDetail::most_commands
   Player(MappedSound sound, std::size_t receivers, int rate, std::size_t most_commands);
 
-  /// Control thread: sends a command and leaves null. Leaves it alone and returns false if there are too many.
+  /// Control thread: sends a command and leaves null. Leaves it alone and returns false if there are too many. There is
+  /// always room for one ReceptionChange that is for good.
   bool send(Command& command);
 
   /// Control thread: frees the commands that are done.
@@ -55,7 +56,7 @@ class Player {
   /// Up to the next boundary, as MappedSound, without and with contacts.
   void render(std::int64_t sample, std::span<double> sound);
   [[nodiscard]] resonators::BodyInContact begin_contact(std::int64_t sample, std::size_t samples);
-  void end_contact(std::int64_t sample, std::span<double> sound) { sound_.end_contact(sample, sound); }
+  void end_contact(std::int64_t sample, std::span<double> sound);
 
   // The audio thread's part in the choice of what is heard.
 
@@ -76,7 +77,7 @@ class Player {
   void measure(std::span<double> power) { sound_.measure(power); }
   void choose(std::span<const char> heard, std::size_t fade) { sound_.choose(heard, fade); }
 
-  /// Whether the body was silent, or anything of it was chosen to be heard, at the last choice. Any thread.
+  /// Whether the body was silent, or anything of it was heard or faded, after the last choice. Any thread.
   [[nodiscard]] bool is_heard() const { return is_heard_.load(std::memory_order_relaxed); }
   void set_heard(bool is_heard) { is_heard_.store(is_heard, std::memory_order_relaxed); }
 
@@ -102,6 +103,7 @@ class Player {
   void end_over(std::int64_t sample);
   void prepare(std::int64_t sample, std::size_t samples);
   void hand_back(Command command);
+  void note_leaving();
 
   MappedSound sound_;
   std::size_t receivers_;

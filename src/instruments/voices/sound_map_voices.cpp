@@ -42,6 +42,7 @@ MapBody& SoundMapVoices::body(std::size_t number) const {
 
 std::size_t SoundMapVoices::add(const std::shared_ptr<const sound_maps::SoundMap>& map,
                                 std::vector<HearingPoint> points) {
+  require_no_head();
   const auto bodies = roster_->bodies();
   const auto same = std::ranges::find_if(bodies, [&](const auto& body) { return body && &body->map() == map.get(); });
   const auto known = same != bodies.end() ? (*same)->prepared() : std::make_shared<const PreparedMap>(map);
@@ -51,12 +52,18 @@ std::size_t SoundMapVoices::add(const std::shared_ptr<const sound_maps::SoundMap
   names_.resize(std::max(names_.size(), number + 1));
   names_[number] = map->body;
   roster_->join(number, std::move(joins));
-  attend();
   return number;
 }
 
 void SoundMapVoices::remove(std::size_t number) {
+  require_no_head();
   roster_->leave(number);
+}
+
+void SoundMapVoices::require_no_head() const {
+  if (audience_.has_head()) {
+    throw std::runtime_error("bodies that a head hears can't join or leave");
+  }
 }
 
 std::optional<Vector3> SoundMapVoices::centre(std::size_t body) const {
@@ -179,7 +186,7 @@ void SoundMapVoices::choose(Lineup& lineup) {
     changes_.push_back(change);
   }
   std::erase_if(changes_, [&](const DetailChange& change) {
-    if (change.start > now_) {
+    if (change.start > now_ || change.body >= lineup.by_number.size()) {  // or a body joins later
       return false;
     }
     MapBody* body = lineup.by_number[change.body];

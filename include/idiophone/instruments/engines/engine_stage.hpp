@@ -58,8 +58,8 @@ struct StageOptions {
   std::uint64_t seed = 1;                                   ///< of roughness and of unknown moments
 };
 
-/// How fast this machine computes sound maps; 1: as the one for which costs are known. Bodies are rendered for some 0.1
-/// s of processor time. What else the machine does then makes it slower.
+/// How fast this machine computes sound maps, relative to the machine on which the costs were measured. Bodies are
+/// rendered for some 0.1 s of processor time. What else the machine does then makes it slower.
 [[nodiscard]] double measured_speed();
 
 /// What happened lately.
@@ -67,7 +67,7 @@ struct StageReport {
   std::size_t sounding = 0;    ///< bodies; this and the next four only with a budget
   std::size_t modes = 0;       ///< of these bodies
   std::size_t heard = 0;       ///< of these modes
-  double cost = 0.0;           ///< of what is heard, processor time per time of sound, as it is estimated
+  double cost = 0.0;           ///< of what is heard or fades, processor time per time of sound, as it is estimated
   double loss = 0.0;           ///< share of the power that is left out
   std::size_t strokes = 0;     ///< contacts that scrape or roll
   std::uint64_t impacts = 0;   ///< so far
@@ -96,8 +96,9 @@ class EngineStage {
   /// @throws std::runtime_error without a map
   std::size_t add(const SharedMap& map);
 
-  /// A body fades within 1024 audio samples and leaves. Its number is free when it has faded; until then nothing can be
-  /// told of it. @throws std::runtime_error if there is no such body
+  /// A body leaves. What was told of it happens in the step that follows; then it fades within 1024 audio samples. Its
+  /// number is free when it has faded; until then nothing can be told of it.
+  /// @throws std::runtime_error if there is no such body
   void remove(std::size_t body);
 
   /// From the next step on, the body is there. @throws std::runtime_error as for contact()

@@ -22,13 +22,13 @@ struct ContactForce {
 
 class ContactSounds {
  public:
-  /// @param surfaces  right ones
+  /// @param surfaces  checked
   /// @param masses    of the bodies, kg
   ContactSounds(std::vector<Surface> surfaces, std::vector<double> masses, int rate, std::size_t most_strokes,
                 std::uint64_t seed);
 
   /// What the contacts of a step do from an audio sample on.
-  /// @param events    right ones
+  /// @param events    checked
   /// @param duration  of the step, s
   [[nodiscard]] std::vector<ContactForce> step(std::span<const ContactEvent> events, std::int64_t start,
                                                double duration);

@@ -28,10 +28,10 @@ struct MapChoice {
 
   std::int64_t sample = 0;   ///< at which the interval begins
   std::size_t sounding = 0;  ///< bodies that sound or ring on unheard
-  std::size_t silent = 0;    ///< those of which nothing is heard
+  std::size_t silent = 0;    ///< those of which nothing is heard or fades
   std::size_t modes = 0;     ///< of the sounding bodies
   std::size_t heard = 0;     ///< of these modes
-  double cost = 0.0;         ///< of what is heard, processor time per time of sound
+  double cost = 0.0;         ///< of what is heard or fades, processor time per time of sound
   double power = 0.0;        ///< of all modes where the listener is, mean square of the pressure, Pa^2
   double left_out = 0.0;     ///< share of the power that the other modes have
 };

@@ -52,20 +52,22 @@ class SoundMapVoices : public Voice {
   [[nodiscard]] VoiceReport report() const override;
   void render(std::span<double> sound, std::int64_t clock) override;
 
-  /// A body joins, heard by a listener who is where he is in its coordinates. It has the lowest number that is free.
-  /// No head may hear the voices, and no contacts of a score touch them.
-  /// @param points  1 to most_receivers, as many as the others have
+  /// A body joins. It has the lowest number that is free. attend() hands all that joined to the audio thread at once.
+  /// No contacts of a score may touch the voices.
+  /// @param points  the listener's places in the coordinates of the body, m: 1 to most_receivers, as many as the others
+  ///   have
   /// @return its number
-  /// @throws std::runtime_error when it is too far away
+  /// @throws std::runtime_error when it is too far away, or a head hears the voices
   std::size_t add(const std::shared_ptr<const sound_maps::SoundMap>& map, std::vector<HearingPoint> points);
 
-  /// A body fades and leaves; its number is free then, and can't be used before.
+  /// A body fades within MapChoice::interval and leaves; its number is free then, and can't be used before.
+  /// @throws std::runtime_error when a head hears the voices
   void remove(std::size_t body);
 
   /// What a body that moves costs while forces act on it, as it is estimated: processor time per time of sound.
   [[nodiscard]] double cost_of_driven(std::size_t body) const;
 
-  /// Whether a body was silent, or anything of it was chosen to be heard, at the last choice.
+  /// Whether a body was silent, or anything of it was heard or faded, after the last choice.
   [[nodiscard]] bool is_heard(std::size_t body) const;
 
   /// What was chosen since the last call, by the control thread. The newest are lost if attend() is not called for
@@ -82,6 +84,7 @@ class SoundMapVoices : public Voice {
   static constexpr std::size_t most_changes = 64;
 
   [[nodiscard]] MapBody& body(std::size_t number) const;
+  void require_no_head() const;
   void choose(Lineup& lineup);
   void send(Lineup& lineup, std::size_t samples);
 
