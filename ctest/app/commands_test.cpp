@@ -76,7 +76,7 @@ TEST(Commands, WriteManyFilesToAnOutputFolderAndOneToAnOutput) {
   for (const char* name : {"run", "check", "listen", "modes", "map", "radiate"}) {
     EXPECT_EQ(refusal(fmt::format("{} file --output-folder results", name)), "accepted");
   }
-  for (const char* name : {"play", "proxies", "timbre", "evolve", "explore", "report"}) {
+  for (const char* name : {"play", "proxies", "timbre", "evolve", "explore", "report", "mesh"}) {
     EXPECT_EQ(refusal(fmt::format("{} file -o one", name)), "accepted");
     EXPECT_EQ(refusal(fmt::format("{} file --output one", name)), "accepted");
   }

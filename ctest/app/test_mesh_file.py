@@ -1,5 +1,6 @@
 #!/usr/bin/python3
 """`idiophone mesh`: a run from mesh files has the bits of the run from the geometries, on any number of ranks."""
+import subprocess
 import unittest
 
 import program
@@ -8,6 +9,15 @@ import program
 LAYERS = ("layers: [{material: rubber, thickness: 0.004}, {material: foam, thickness: 0.01}, {material: rubber, thickness: 0.006}]",
           "materials: {1: rubber, 2: foam, 3: rubber}")
 SHORT = "--set", "time.duration=0.004"
+
+
+def sets(changes):
+    return [argument for change in changes for argument in ("--set", change)]
+
+
+def obstacle(mesh):
+    """A rock of this mesh, which the mallet can touch."""
+    return [f"obstacles.rock={{shape: surface, at: [0, 0, -1], mesh: {mesh}}}", "contacts.rest={between: [mallet, rock]}"]
 
 
 class MeshFile(program.TestCase):
@@ -44,7 +54,7 @@ class MeshFile(program.TestCase):
         path = self.make("mallet")
         told = program.idiophone("info", path)
         self.require_status(told, program.FINISHED)
-        self.assertRegex(told.stdout, r"mesh of the body 'mallet' of the deck 'materials'.*, mesh [0-9a-f]{16}\n  \d+ nodes, \d+ tet10")
+        self.assertRegex(told.stdout, r"mesh of the body 'mallet' of the deck 'materials'.*, mesh [0-9a-f]{16}\n  \d+ nodes, \d+ elements, \d+ surface triangles\n  element: tet10\n")
         self.assertIn("groups of elements: head, stick", told.stdout)
         self.require_status(program.idiophone("info", "--verify", path), program.FINISHED)
         content = bytearray(path.read_bytes())
@@ -68,7 +78,28 @@ class MeshFile(program.TestCase):
             self.assertIn("a .h5 file is a mesh already", job.stderr)
         job = program.idiophone("check", deck, "--set", "bodies.plate.order={plane: 3, thickness: 3}")
         self.assertEqual(job.returncode, program.WRONG_DECK)
-        self.assertRegex(job.stderr, r"materials.yaml:\d+:\d+: .*plate.mesh.h5 has elements of the type hex with order")
+        self.assertRegex(job.stderr, r"materials.yaml:\d+:\d+: .*plate.mesh.h5 has `element: hex, order")
+
+    def test_no_mesh_of_the_deck_is_overwritten(self):
+        plate = self.make("plate")
+        before = plate.read_bytes()
+        for change in [f"bodies.plate.mesh={plate}"], obstacle(plate):
+            job = program.idiophone("mesh", program.deck("materials"), "--body", "mallet", "-o", plate, *sets(change))
+            self.require_status(job, program.FAILED)
+            self.assertIn("would be overwritten; give the mesh another name with --output", job.stderr)
+            self.assertEqual(plate.read_bytes(), before)
+
+    def test_an_obstacle_of_hexahedra_is_refused(self):
+        job = program.idiophone("check", program.deck("materials"), *sets(obstacle(self.make("plate"))))
+        self.assertEqual(job.returncode, program.WRONG_DECK)
+        self.assertIn("make it from a body with element: tet4", job.stderr)
+        self.assertIn("obstacles are always tet4", job.stderr)
+
+    def test_the_file_is_called_after_the_body(self):
+        job = subprocess.run([program.PROGRAM, "mesh", program.deck("materials"), "--body", "mallet"], cwd=self.output,
+                             capture_output=True, text=True, timeout=program.TIMEOUT)
+        self.require_status(job, program.FINISHED)
+        self.assertTrue((self.output / "mallet.mesh.h5").is_file())
 
 
 if __name__ == "__main__":

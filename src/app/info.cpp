@@ -1,4 +1,4 @@
-// `idiophone info`: what is in a result, recording, checkpoint, sound map or file of `radiate`.
+// `idiophone info`: what is in a result, recording, checkpoint, sound map, mesh file or file of `radiate`.
 
 #include <fmt/format.h>
 
@@ -27,7 +27,8 @@ struct InfoOptions {
 };
 
 void declare(CLI::App& app, InfoOptions& options) {
-  app.add_option("file", options.file, "NAME.h5, a recording, a checkpoint, a sound map or NAME_radiation.h5")
+  app.add_option("file", options.file,
+                 "NAME.h5, a recording, a checkpoint, a sound map, a mesh file or NAME_radiation.h5")
       ->required();
   app.add_option("--channel", options.channel,
                  "print the rows of this channel of a result as CSV, e.g. motion/plate/velocity or energy");
@@ -132,8 +133,8 @@ int info(const InfoOptions& options) {
 
 Command info_command() {
   return make_command<InfoOptions>(
-      "info", "tell what is in a result, a recording, a checkpoint, a sound map or a file of `radiate`", Ranks::one,
-      declare, info);
+      "info", "tell what is in a result, a recording, a checkpoint, a sound map, a mesh file or a file of `radiate`",
+      Ranks::one, declare, info);
 }
 
 }  // namespace idiophone::app

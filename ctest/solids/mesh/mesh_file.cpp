@@ -5,7 +5,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <functional>
+#include <limits>
+
 #include "cube_file.hpp"
+#include "gmsh_mesh.hpp"
+#include "hash.hpp"
 #include "idiophone/files/attributes.hpp"
 #include "idiophone/files/format.hpp"
 #include "idiophone/files/tables.hpp"
@@ -17,7 +25,9 @@ namespace idiophone::mesh {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
 const Origin origin{.name = "test", .code_version = "0", .deck_text = "name: test\n", .overrides = {}};
@@ -121,14 +131,14 @@ TEST(MeshFile, ThatDoesNotFitTheBodyIsRefused) {
   EXPECT_EQ(answer([](scene::Body&) {}), "");
   EXPECT_THAT(answer([](scene::Body& body) { body.element = element::tet10; }),
               AllOf(StartsWith("deck.yaml:7:9: "),
-                    HasSubstr("has elements of the type hex with order: {plane: 3, thickness: 2}, and body 'plate' has "
-                              "tet10")));
+                    HasSubstr("has `element: hex, order: {plane: 3, thickness: 2}`, and body 'plate' needs `element: "
+                              "tet10`: make it from a body with element: tet10")));
   EXPECT_THAT(answer([](scene::Body& body) { body.element = element::hex(3, 3); }), HasSubstr("thickness: 3}"));
   EXPECT_THAT(answer([](scene::Body& body) {
                 body.thickness = 0.01;
                 body.thickness_where = {.file = "deck.yaml", .line = 9, .column = 5};
               }),
-              AllOf(StartsWith("deck.yaml:9:5: "), HasSubstr("is a mesh, and a wall has its thickness there")));
+              AllOf(StartsWith("deck.yaml:9:5: "), HasSubstr("already contains the thickness")));
   EXPECT_THAT(answer([](scene::Body& body) { body.mesh = "nowhere.mesh.h5"; }),
               StartsWith("deck.yaml:7:9: there is no file nowhere.mesh.h5"));
 }
@@ -160,16 +170,85 @@ TEST(MeshFile, ThatWasChangedIsRefused) {
     return refusal_with(stored.body, dataset, 5, number, keep_checksum);
   };
   EXPECT_THAT(answer("/nodes", 0.5, true),
-              AllOf(StartsWith("deck.yaml:7:9: body 'plate' has no mesh: "), HasSubstr("changed.mesh.h5"),
+              AllOf(StartsWith("deck.yaml:7:9: the mesh of body 'plate' can't be read: "), HasSubstr("changed.mesh.h5"),
                     HasSubstr("/nodes does not match its checksum: the file is damaged")));
   EXPECT_THAT(answer("/nodes", 0.5), HasSubstr("the file was changed"));
   EXPECT_THAT(answer("/surface", Index{0}), HasSubstr("the file was changed"));
-  EXPECT_THAT(answer("/elements", Index{-1}), HasSubstr("/elements has the number -1, of "));
-  EXPECT_THAT(answer("/surface", Index{1'000'000}), HasSubstr("/surface has the number 1000000, of "));
+  EXPECT_THAT(answer("/elements", Index{-1}), HasSubstr("/elements has the number -1, but there are "));
+  EXPECT_THAT(answer("/surface", Index{1'000'000}), HasSubstr("/surface has the number 1000000, but there are "));
   EXPECT_THAT(answer("/groups/members", Index{0}), HasSubstr("which does not ascend"));
   EXPECT_THAT(answer("/groups/begins", Index{1}), HasSubstr("/groups has lists that do not fit their names"));
   EXPECT_THAT(answer("/element_groups/members", Index{1'000'000}), HasSubstr("/element_groups has the number 1000000"));
   EXPECT_THAT(answer("/group_triangles/members", Index{-7}), HasSubstr("/group_triangles has the number -7"));
+}
+
+/// What is said of a file whose mesh has been changed, with the right checksums and the right hash.
+std::string refusal_after(const Stored& original, const std::function<void(Mesh&)>& change) {
+  StoredMesh stored = read_mesh_file(original.file.path());
+  change(stored.mesh);
+  stored.mesh.hash = hash_of(stored.mesh);
+  const TemporaryFile changed("consistent.mesh.h5");
+  write_mesh_file(changed.path(), stored, origin);
+  scene::Body body = original.body;
+  body.mesh = changed.path();
+  return refusal(body);
+}
+
+TEST(MeshFile, OfNodesThatAreNowhereIsRefused) {
+  const Stored stored(shipped("bar.geo", element::tet4, {{"size", 0.03}}));
+  for (const double value : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    EXPECT_THAT(refusal_after(stored, [&](Mesh& mesh) { mesh.nodes[5].y() = value; }),
+                AllOf(StartsWith("deck.yaml:7:9: "), HasSubstr("/nodes has node 5 at ["), HasSubstr("isn't a place")));
+  }
+}
+
+TEST(MeshFile, WhoseGroupsHaveTrianglesOfOtherNodesIsRefused) {
+  const TemporaryFile boxes("boxes.geo", two_boxes);
+  const Stored linear(body_of(boxes.path(), element::tet4));
+  scene::Body other = body_of(boxes.path(), element::tet10);
+  other.name = "other";
+  const Stored quadratic(other);
+  EXPECT_EQ(refusal_after(linear, [](Mesh&) {}), "");
+  EXPECT_THAT(refusal_after(linear,
+                            [](Mesh& mesh) {
+                              mesh.group_triangles.at("skin").front()[0] = static_cast<Index>(mesh.nodes.size());
+                              mesh.nodes.emplace_back(9, 9, 9);  // of no element
+                            }),
+              AllOf(StartsWith("deck.yaml:7:9: "), HasSubstr("/group_triangles has a triangle of the nodes "),
+                    HasSubstr("in the list 'skin', which are not all in the group 'skin'")));
+  EXPECT_THAT(refusal_after(linear, [](Mesh& mesh) { mesh.groups.erase("skin"); }), HasSubstr("not all in the group"));
+  EXPECT_THAT(refusal_after(quadratic,
+                            [](Mesh& mesh) {
+                              mesh.group_triangles["skin"] = {{0, 1, 2}};
+                            }),
+              HasSubstr("/group_triangles has lists, which only a mesh of tet4 has"));
+}
+
+TEST(MeshFile, IsReadOnceForBodiesThatShareIt) {
+  const Stored stored(shipped("bar.geo", element::tet4, {{"size", 0.03}}));
+  scene::Body moved = stored.body;
+  moved.position = {0.0, 1.0, 0.0};
+  const std::vector<Mesh> meshes = read_meshes(std::array{stored.body, moved, stored.body});
+  expect_same(meshes.at(0), read_mesh(stored.body));
+  expect_same(meshes.at(1), read_mesh(moved));
+  expect_same(meshes.at(2), meshes.at(0));
+
+  Answers known;
+  const GmshMesh first = load(stored.body, known);
+  std::filesystem::resize_file(stored.file.path(), 100);
+  EXPECT_NE(refusal(stored.body), "");
+  EXPECT_EQ(load(stored.body, known).mesh.nodes, first.mesh.nodes);
+}
+
+TEST(MeshFile, SaysThatItLeavesValuesOut) {
+  const std::string tetrahedron = msh_text(unit_corners(), {"4 2 0 1 1 2 3 4"});
+  const auto notes = [](const std::string& text) {
+    const TemporaryFile file("values.msh", text);
+    return storable_mesh(body_of(file.path(), element::tet4)).mesh.notes;
+  };
+  EXPECT_THAT(notes(tetrahedron), IsEmpty());
+  EXPECT_THAT(notes(tetrahedron + "$NodeData\n1\n\"mass\"\n1\n0.0\n3\n0\n1\n1\n1 10\n$EndNodeData\n"),
+              ElementsAre(HasSubstr("are not in the mesh file")));
 }
 
 TEST(MeshFile, IsNoOtherFile) {

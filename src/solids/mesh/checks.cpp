@@ -90,7 +90,7 @@ void check_elements(const scene::Body& body, const GmshMesh& loaded) {
   Index inverted = 0;
   for (Index element = 0; element < loaded.mesh.element_count(); ++element) {
     const double quality = quality_of(shape_of(loaded.mesh, element));
-    if (quality < flat_quality) {
+    if (!(quality >= flat_quality)) {
       inverted += quality < -flat_quality ? 1 : 0;
       culprits.push_back(fmt::format("{}, quality {:.3g}", element_text(loaded, element), quality));
     }

@@ -131,17 +131,15 @@ MeshingAnswer answer_of_gmsh(const scene::Body& body, MeshingRequest request) {
                       : ""));
 }
 
-constexpr std::size_t most_kept_nodes = 100'000;  ///< of an answer: about 10 MB
-
 MeshingAnswer answer_to(const scene::Body& body, Answers& known) {
   const MeshingRequest request = request_of(body);
   const std::string key = to_bytes(request);
-  if (const auto found = known.find(key); found != known.end()) {
+  if (const auto found = known.of_gmsh.find(key); found != known.of_gmsh.end()) {
     return found->second;
   }
   MeshingAnswer answer = answer_of_gmsh(body, request);
   if (answer.node_tags.size() <= most_kept_nodes) {
-    known.emplace(key, answer);
+    known.of_gmsh.emplace(key, answer);
   }
   return answer;
 }
@@ -177,7 +175,7 @@ GmshMesh load_by_gmsh(const scene::Body& body, Answers& known) {
 }  // namespace
 
 GmshMesh load(const scene::Body& body, Answers& known) {
-  GmshMesh result = is_mesh_file(body.mesh) ? load_mesh_file(body) : load_by_gmsh(body, known);
+  GmshMesh result = is_mesh_file(body.mesh) ? load_mesh_file(body, known) : load_by_gmsh(body, known);
   if (!body.regions.empty() && !body.has_layers()) {
     result.mesh.regions = regions_by_group(body, result);
   }

@@ -1,12 +1,14 @@
 #pragma once
-// What becomes of a body's file, most often by gmsh, before checks and order.
+// A mesh as loaded from a body's file, before checks and order.
 
 #include <cstddef>
+#include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "idiophone/solids/mesh/mesh.hpp"
+#include "idiophone/solids/mesh/mesh_file.hpp"
 #include "idiophone/solids/mesh/meshing.hpp"
 
 namespace idiophone::mesh {
@@ -23,8 +25,13 @@ struct GmshMesh {
   bool is_stored = false;  ///< from a mesh file of the program: its hexahedra are spectral ones already
 };
 
-/// Answers of idiophone_gmsh by the bytes of their requests. Bodies of the same shape share one.
-using Answers = std::map<std::string, MeshingAnswer>;
+/// What bodies of the same shape share.
+struct Answers {
+  std::map<std::string, MeshingAnswer> of_gmsh;        ///< by the bytes of the request
+  std::map<std::filesystem::path, StoredMesh> stored;  ///< by the path of the mesh file
+};
+
+inline constexpr std::size_t most_kept_nodes = 100'000;  ///< of one of them: about 10 MB
 
 /// Reads the body's file, meshes it where it is a geometry, and brings it to the order that the body asks for. Nodes
 /// that no element uses, as the centres of arcs, may be among the nodes.

@@ -6,25 +6,25 @@
 #include <stdexcept>
 
 #include "idiophone/foundation/deck/location.hpp"
-#include "idiophone/solids/mesh/mesh_file.hpp"
+#include "idiophone/foundation/element/deck_keys.hpp"
 
 namespace idiophone::mesh {
 
 namespace {
 
-/// An element type with its orders, as a deck writes it.
-std::string type_text(element::Type type) {
-  const element::Orders orders = element::orders(type);
-  return element::has_choice_of_orders(type) ? fmt::format("{} with order: {{plane: {}, thickness: {}}}",
-                                                           element::name(type), orders.plane, orders.thickness)
-                                             : std::string(element::name(type));
-}
-
-StoredMesh stored_mesh(const scene::Body& body) {
+StoredMesh stored_mesh(const scene::Body& body, Answers& known) {
+  if (const auto found = known.stored.find(body.mesh); found != known.stored.end()) {
+    return found->second;
+  }
   try {
-    return read_mesh_file(body.mesh);
+    StoredMesh stored = read_mesh_file(body.mesh);
+    if (stored.mesh.nodes.size() <= most_kept_nodes) {
+      known.stored.emplace(body.mesh, stored);
+    }
+    return stored;
   } catch (const std::runtime_error& error) {
-    throw deck::DeckError(body.mesh_where, fmt::format("body '{}' has no mesh: {}", body.name, error.what()));
+    throw deck::DeckError(body.mesh_where,
+                          fmt::format("the mesh of body '{}' can't be read: {}", body.name, error.what()));
   }
 }
 
@@ -47,20 +47,22 @@ void require_file(const scene::Body& body) {
   }
 }
 
-GmshMesh load_mesh_file(const scene::Body& body) {
+GmshMesh load_mesh_file(const scene::Body& body, Answers& known) {
   require_file(body);
   if (body.thickness) {
-    throw deck::DeckError(
-        body.thickness_where,
-        fmt::format("bodies.{}: thickness and layers have no meaning: {} is a mesh, and a wall has its "
-                    "thickness there. Its layers are groups with the names 1, 2, ... for `materials`",
-                    body.name, body.mesh.string()));
+    throw deck::DeckError(body.thickness_where,
+                          fmt::format("bodies.{}: thickness and layers have no meaning: {} already contains the "
+                                      "thickness. Its layers are groups with the names 1, 2, ... for `materials`",
+                                      body.name, body.mesh.string()));
   }
-  StoredMesh stored = stored_mesh(body);
+  StoredMesh stored = stored_mesh(body, known);
   if (stored.mesh.element != body.element) {
-    throw deck::DeckError(body.mesh_where,
-                          fmt::format("{} has elements of the type {}, and body '{}' has {}", body.mesh.string(),
-                                      type_text(stored.mesh.element), body.name, type_text(body.element)));
+    throw deck::DeckError(
+        body.mesh_where,
+        fmt::format("{} has `{}`, and body '{}' needs `{}`: make it from a body with {}, or give the body "
+                    "the element of the file (obstacles are always tet4)",
+                    body.mesh.string(), element::deck_keys(stored.mesh.element), body.name,
+                    element::deck_keys(body.element), element::deck_keys(body.element)));
   }
   GmshMesh result;
   result.mesh = std::move(stored.mesh);

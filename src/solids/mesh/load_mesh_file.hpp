@@ -7,15 +7,16 @@
 
 namespace idiophone::mesh {
 
-/// Whether a file is one by its name.
+/// Whether a file's name is that of a mesh file.
 [[nodiscard]] bool is_mesh_file(const std::filesystem::path& file);
 
 /// @throws deck::DeckError, pointing at the body's mesh key, if there is no such file
 void require_file(const scene::Body& body);
 
 /// The mesh as the file has it. Tags are the numbers in the file, from 0.
+/// @param known  is asked first, and gets the mesh unless it is large
 /// @throws deck::DeckError, pointing at the body's mesh key, if it can't be read or has elements of another type than
 ///         the body; pointing at its thickness or layers, which a mesh has already
-[[nodiscard]] GmshMesh load_mesh_file(const scene::Body& body);
+[[nodiscard]] GmshMesh load_mesh_file(const scene::Body& body, Answers& known);
 
 }  // namespace idiophone::mesh

@@ -127,6 +127,9 @@ StoredMesh storable_mesh(const scene::Body& body) {
   StoredMesh stored{.body = body.name, .mesh = {}, .element_groups = element_groups(bare, loaded, numbered.elements)};
   numbered.mesh.regions.clear();
   stored.mesh = finished(bare, loaded, std::move(numbered.mesh));
+  if (!loaded.views.empty()) {
+    stored.mesh.notes.emplace_back("values of its nodes and elements (gmsh's views) are not in the mesh file");
+  }
   return stored;
 }
 

@@ -1,4 +1,5 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <limits>
@@ -10,6 +11,7 @@
 #include "idiophone/files/format.hpp"
 #include "idiophone/files/hdf5_dataset.hpp"
 #include "idiophone/files/reading.hpp"
+#include "idiophone/foundation/place_text.hpp"
 #include "idiophone/solids/mesh/mesh_file.hpp"
 #include "mesh_file_paths.hpp"
 
@@ -31,6 +33,35 @@ void require_numbers(const std::string& path, std::span<const Index> numbers, st
   }
 }
 
+void require_finite(const std::vector<Vector3>& nodes) {
+  const auto wrong = std::ranges::find_if(nodes, [](const Vector3& node) { return !node.allFinite(); });
+  if (wrong != nodes.end()) {
+    refuse(mesh_file::nodes,
+           fmt::format("has node {} at {}, which isn't a place", wrong - nodes.begin(), to_text(*wrong)));
+  }
+}
+
+/// Lists as mesh.group_triangles.
+/// @throws std::runtime_error unless the mesh can have them, and their nodes are among those of the group
+void require_in_groups(const Mesh& mesh, const std::map<std::string, std::vector<Triangle>>& lists) {
+  if (!lists.empty() && mesh.element != element::tet4) {
+    refuse(mesh_file::group_triangles, "has lists, which only a mesh of tet4 has");
+  }
+  for (const auto& [name, triangles] : lists) {
+    const auto group = mesh.groups.find(name);
+    const auto is_member = [&](Index node) {
+      return group != mesh.groups.end() && std::ranges::binary_search(group->second, node);
+    };
+    for (const Triangle& triangle : triangles) {
+      if (!std::ranges::all_of(triangle, is_member)) {
+        refuse(mesh_file::group_triangles,
+               fmt::format("has a triangle of the nodes {} in the list '{}', which are not all in the group '{}'",
+                           fmt::join(triangle, ", "), name, name));
+      }
+    }
+  }
+}
+
 class MeshReader {
  public:
   explicit MeshReader(const std::filesystem::path& path) : file_(hdf5::open_for_reading(path)) {
@@ -43,6 +74,7 @@ class MeshReader {
     stored.body = hdf5::text_of(file_.id(), mesh_file::body);
     mesh.element = read_type();
     mesh.nodes = read_table<double, Vector3>(mesh_file::nodes, 3);
+    require_finite(mesh.nodes);
     mesh.elements = read_table<Index, Index>(mesh_file::elements, element::node_count(mesh.element));
     mesh.surface = read_table<Index, Triangle>(mesh_file::surface, 3);
     require_numbers(mesh_file::elements, mesh.elements, mesh.nodes.size());
@@ -51,7 +83,7 @@ class MeshReader {
     }
     mesh.groups = read_numbers(mesh_file::groups, mesh.nodes.size());
     stored.element_groups = read_numbers(mesh_file::element_groups, mesh.element_count());
-    mesh.group_triangles = read_triangles(mesh.nodes.size());
+    mesh.group_triangles = read_triangles(mesh);
     require_hash(mesh);
     return stored;
   }
@@ -132,13 +164,14 @@ class MeshReader {
     return lists;
   }
 
-  std::map<std::string, std::vector<Triangle>> read_triangles(std::size_t nodes) {
+  std::map<std::string, std::vector<Triangle>> read_triangles(const Mesh& mesh) {
     auto lists = read_lists<Triangle>(mesh_file::group_triangles, 3);
     for (const auto& [name, triangles] : lists) {
       for (const Triangle& triangle : triangles) {
-        require_numbers(mesh_file::group_triangles, triangle, nodes);
+        require_numbers(mesh_file::group_triangles, triangle, mesh.nodes.size());
       }
     }
+    require_in_groups(mesh, lists);
     return lists;
   }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "idiophone/foundation/element/deck_keys.hpp"
 #include "idiophone/run/loop/facts.hpp"
 
 namespace idiophone::advice {
@@ -50,14 +51,10 @@ std::vector<std::string> left_out(const scene::Body& body) {
 }
 
 std::string description(const accuracy::Recommendation& found, double present) {
-  const element::Type type = found.cells.type;
-  const std::string order = element::has_choice_of_orders(type)
-                                ? fmt::format(", order: {{plane: {}, thickness: {}}}", type.plane, type.thickness)
-                                : "";
   return fmt::format(
-      "element: {}{}, cells of {:.3g} m, {} layer{}: about {:.1f} cents, {:.3g} CPU-seconds per second of sound, "
+      "{}, cells of {:.3g} m, {} layer{}: about {:.1f} cents, {:.3g} CPU-seconds per second of sound, "
       "{:.3g} times the present mesh",
-      element::name(type), order, found.cells.size, found.layers, found.layers == 1 ? "" : "s", found.error,
+      element::deck_keys(found.cells.type), found.cells.size, found.layers, found.layers == 1 ? "" : "s", found.error,
       found.seconds, found.seconds / present);
 }
 

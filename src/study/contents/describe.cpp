@@ -16,6 +16,7 @@
 #include "idiophone/files/hdf5_group.hpp"
 #include "idiophone/files/reading.hpp"
 #include "idiophone/files/table_checksums.hpp"
+#include "idiophone/foundation/element/deck_keys.hpp"
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/results/checkpoint_format.hpp"
 #include "idiophone/run/results/describe_file.hpp"
@@ -119,10 +120,10 @@ std::string describe_mesh(hid_t file, const std::filesystem::path& path) {
   const auto names = [](const auto& groups) { return fmt::format("{}", fmt::join(std::views::keys(groups), ", ")); };
   return fmt::format(
       "{}: mesh of the body '{}' of the deck '{}', written by idiophone {} (format version {}), mesh {}\n"
-      "  {} nodes, {} {} elements, {} surface triangles\n  groups: {}\n  groups of elements: {}\n",
+      "  {} nodes, {} elements, {} surface triangles\n  {}\n  groups: {}\n  groups of elements: {}\n",
       path.string(), stored.body, hdf5::text_of(file, "name"), hdf5::text_of(file, "code_version"),
       files::version_of(files::mesh_format), stored.mesh.hash, stored.mesh.nodes.size(), stored.mesh.element_count(),
-      element::name(stored.mesh.element), stored.mesh.surface.size(), names(stored.mesh.groups),
+      stored.mesh.surface.size(), element::deck_keys(stored.mesh.element), names(stored.mesh.groups),
       names(stored.element_groups));
 }
 

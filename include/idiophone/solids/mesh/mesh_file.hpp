@@ -1,5 +1,6 @@
 #pragma once
-// NAME.mesh.h5: a mesh that is made once and read often. It is written and read by one process, without MPI calls.
+// NAME.mesh.h5: a mesh that is made once and read often. Written by one process, over MPI_COMM_SELF. Reading
+// makes no MPI calls.
 
 #include <filesystem>
 #include <map>
@@ -19,7 +20,8 @@ struct StoredMesh {
   std::map<std::string, std::vector<Index>> element_groups;
 };
 
-/// What the body's file becomes without the body's rotation, position and groups. Call on one rank only.
+/// What the body's file becomes without the body's rotation, position and groups. Its notes say what of the file it
+/// leaves out. Call on one rank only.
 /// @throws deck::DeckError as read_mesh()
 [[nodiscard]] StoredMesh storable_mesh(const scene::Body& body);
 
