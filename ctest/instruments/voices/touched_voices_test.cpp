@@ -173,6 +173,12 @@ TEST(TouchedVoices, StayWhereAHeadHearsThem) {
   EXPECT_THROW(voices.remove(0), std::runtime_error);
 }
 
+TEST(TouchedVoices, AreForAsManyReceiversAsTheirMapsHave) {
+  const auto map = std::make_shared<const sound_maps::SoundMap>(sheet());
+  const std::vector<HearingPoint> receivers(map->listeners.size() + 1, {.position = {0.1, 0.3, 0.8}});
+  EXPECT_THROW(SoundMapVoices({map}, Audience(receivers), rate), std::runtime_error);
+}
+
 TEST(TouchedVoices, RefuseMoreBowsThanFit) {
   Performance performance({sheet()}, touch_score({}), rate);
   for (std::size_t i = 0; i < resonators::PointContacts::most; ++i) {

@@ -39,8 +39,12 @@ Reception MapBody::reception() const {
   return reception;
 }
 
-/// @throws std::runtime_error when it is too far away
+/// @throws std::runtime_error when it is too far away, or the map has other listeners than the audience
 Reception MapBody::first_reception() const {
+  if (audience_.is_fixed() && map().listeners.size() != audience_.receivers()) {
+    throw std::runtime_error(fmt::format("the sound map of {} has {} listeners, but {} are to hear it", map().body,
+                                         map().listeners.size(), audience_.receivers()));
+  }
   Reception first = reception();
   const std::size_t receivers = points_.empty() ? audience_.receivers() : points_.size();
   for (std::size_t r = 0; r < receivers; ++r) {
