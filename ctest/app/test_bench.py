@@ -55,9 +55,9 @@ class Bench(program.TestCase):
     def test_warns_where_a_line_may_be_that_of_another_mode(self):
         square = "--set", "bodies.bar.parameters={width: 0.013, centre: 0.0129, size: 0.05}"
         job = self.bench(*square, "--target", "1:2.7", "--mode-numbers", "1,3", *self.measured(self.computed(*square)))
-        self.assertIn("modes 1 and 2 are computed", job.stderr)
+        self.assertIn("cents from mode 1, so the line at", job.stderr)
         job = self.bench(*TARGET, *self.measured(self.computed()))
-        self.assertNotIn("cents apart", job.stderr)
+        self.assertNotIn("another mode is computed", job.stderr)
 
     def test_measured_partials_are_matched_and_keep_their_shifts(self):
         computed = self.computed()
@@ -101,6 +101,12 @@ class Bench(program.TestCase):
         self.assertIn("cuts.yaml:1:43", stderr)
         made.write_text('cuts: [{tool: "sander:0.02", place: 0, depth: 0.004}]')
         self.assertIn("more than half of the body's", self.bench(*TARGET, "--cuts", made, status=program.FAILED).stderr)
+        made.write_text('cuts: [{tool: "sander:0.02", place: 13.5, depth: 0.0004}]')
+        self.assertIn("cuts.yaml: the middle of cut 1 is at 13.5 m, but the body lies from -0.18 to 0.18 m",
+                      self.bench(*TARGET, "--cuts", made, status=program.FAILED).stderr)
+        made.write_text('side: +z\ncuts: []')
+        self.assertIn("cuts.yaml:1:7: side: these cuts were made at the side +z, but -z is to be cut: give --side +z",
+                      self.bench(*TARGET, "--cuts", made, status=program.WRONG_DECK).stderr)
 
     def test_says_what_is_in_tune_or_out_of_reach(self):
         first, second, third = (partial["computed"] for partial in self.facts()["partials"])

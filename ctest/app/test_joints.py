@@ -93,6 +93,9 @@ class Joints(program.TestCase):
         job = program.idiophone("modes", DECK, "--in-air", "--output-folder", self.output)
         self.assertEqual(job.returncode, program.FAILED)
         self.assertIn("--in-air is for a body without joints", job.stderr)
+        job = program.idiophone("bench", DECK, "--target", "1:2")
+        self.assertEqual(job.returncode, program.WRONG_DECK)
+        self.assertIn("joints.glue: 'bench' does not know joints", job.stderr)
 
 
 if __name__ == "__main__":

@@ -15,6 +15,7 @@
 #include "idiophone/run/bodies/read_run_deck.hpp"
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/find_body.hpp"
+#include "idiophone/scene/joined_bodies.hpp"
 #include "idiophone/study/bench/bench_page.hpp"
 #include "idiophone/study/bench/cut_list.hpp"
 #include "idiophone/study/bench/workpiece.hpp"
@@ -95,15 +96,18 @@ std::vector<std::optional<fitting::Line>> measured_lines(const BenchOptions& opt
 }
 
 /// Lines keep the order of the modes, which can be wrong where two modes of different kinds are nearly as high.
-void warn_of_neighbours(const std::vector<eigenmodes::Mode>& modes, std::size_t mode, const fitting::Line& line) {
+/// @param number  of the mode in the uncut body
+void warn_of_neighbours(const std::vector<eigenmodes::Mode>& modes, std::size_t mode, int number,
+                        const fitting::Line& line) {
   constexpr double close = 50.0;  // cents, by which wood moves torsion against bending
   for (std::size_t other = 0; other < modes.size(); ++other) {
     const double apart = std::abs(partials::cents(modes[other].frequency, modes[mode].frequency));
     if (other != mode && apart < close) {
       spdlog::warn(
-          "modes {} and {} are computed {:.0f} cents apart, so the line at {:.2f} Hz may be that of the other one. Tap "
-          "where only the one to be tuned moves, or give its line in a YAML file",
-          mode + 1, other + 1, apart, line.frequency);
+          "another mode is computed {:.0f} cents from mode {}, so the line at {:.2f} Hz may be that of the other one. "
+          "Tap "
+          "where only mode {} moves, or give its line in a YAML file",
+          apart, number, line.frequency, number);
     }
   }
 }
@@ -124,7 +128,7 @@ std::vector<BenchPartial> partials_of(const BenchOptions& options, const std::ve
                       options.measured.string(), number, modes[mode].frequency));
     }
     if (lines[mode]) {
-      warn_of_neighbours(modes, mode, *lines[mode]);
+      warn_of_neighbours(modes, mode, number, *lines[mode]);
     }
     partials.push_back({.mode = number, .computed = modes[mode].frequency, .line = lines[mode]});
   }
@@ -150,21 +154,35 @@ bench::Partials distances_of(const std::vector<BenchPartial>& partials, bool are
   return result;
 }
 
+void require_on_body(const std::vector<bench::Cut>& made, const bench::Strips& strips,
+                     const std::filesystem::path& file) {
+  const double low = strips.places.front() - strips.width / 2, high = strips.places.back() + strips.width / 2;
+  for (std::size_t cut = 0; cut < made.size(); ++cut) {
+    if (made[cut].place < low || made[cut].place > high) {
+      throw std::runtime_error(
+          fmt::format("{}: the middle of cut {} is at {:g} m, but the body lies from {:.4g} to {:.4g} m", file.string(),
+                      cut + 1, made[cut].place, low, high));
+    }
+  }
+}
+
 int run_bench(const BenchOptions& options) {
   check_bench(options);
   const fitting::Target target = target_of(options.target);
   const std::vector<int> numbers = modes_to_tune(options.target, target);
   const std::vector<bench::Tool> tools = bench::read_tools(options.tools);
   const scene::Scene scene = bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
+  scene::refuse_joints(scene, "bench");
   const scene::Solids solids = scene::Solids(scene).alone(scene::find_body(scene.bodies, options.body));
-  const std::vector<bench::Cut> made =
-      options.cuts.empty() ? std::vector<bench::Cut>{} : bench::read_cuts(options.cuts);
   const bench::Workpiece piece(solids, options.side, numbers, options.mass);
+  const std::vector<bench::Cut> made =
+      options.cuts.empty() ? std::vector<bench::Cut>{} : bench::read_cuts(options.cuts, piece.side());
   const bench::Workpiece::Solved body = piece.with(made);
   std::vector<BenchPartial> partials = partials_of(options, numbers, body);
   set_wanted(partials, target);
   const bench::CutModel model = piece.model(made, body);
   const bench::Strips strips = model({}).strips;
+  require_on_body(made, strips, options.cuts);
   const bench::Plan plan = bench::plan_cuts(model, tools, distances_of(partials, target.are_ratios), options.plan);
   const BenchAnswer answer{solids.bodies.front().name, partials, piece.side(), strips, tools, made, plan};
   if (options.style == Style::json) {

@@ -136,7 +136,7 @@ void print_later_visits(const BenchAnswer& answer) {
 }
 
 void print_list(const BenchAnswer& answer) {
-  fmt::print("\nfor --cuts, when these are made:\n{}", bench::text_of(cuts_then(answer)));
+  fmt::print("\nfor --cuts, when these are made:\n{}", bench::text_of(cuts_then(answer), answer.side));
 }
 
 }  // namespace
@@ -213,7 +213,7 @@ json to_json(const BenchAnswer& answer) {
   for (const bench::Visit& visit : plan.visits) {
     facts["visits"].push_back({{"cuts", to_json(visit.cuts)}, {"expected", list_of(visit.expected)}});
   }
-  facts["cuts_file"] = bench::text_of(cuts_then(answer));
+  facts["cuts_file"] = bench::text_of(cuts_then(answer), answer.side);
   return facts;
 }
 

@@ -196,6 +196,24 @@ TEST(Plan, TakesWhatTheModelSolvesInsteadOfSlopes) {
   }
 }
 
+TEST(Plan, EndsWhereTheModelEnds) {
+  const Plan whole = plan_for({60, 30}, {.depth_error = 2e-5});
+  ASSERT_GE(whole.visits.size(), 2U);
+  const auto up_to = [](std::size_t most) -> CutModel {
+    return [most](const std::vector<Cut>& cuts) {
+      if (cuts.size() > most) {
+        throw OutsideOfModel("too many cuts");
+      }
+      return straight(bar())(cuts);
+    };
+  };
+  const Partials partials{Eigen::Vector2d(60, 30), Eigen::Vector2d(0.5, 0.5), false};
+  const Plan plan = plan_cuts(up_to(whole.visits.front().cuts.size()), both_tools, partials, {.depth_error = 2e-5});
+  EXPECT_EQ(plan.verdict, Verdict::cut);
+  EXPECT_EQ(plan.visits.size(), 1U);
+  EXPECT_THROW(static_cast<void>(plan_cuts(up_to(0), both_tools, partials, {})), OutsideOfModel);
+}
+
 TEST(Plan, OfRatiosLeavesThePitchFree) {
   const Plan plan = plan_for({500, 540}, {}, 0.5, true);
   ASSERT_EQ(plan.verdict, Verdict::cut);

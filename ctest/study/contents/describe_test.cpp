@@ -65,7 +65,7 @@ TEST(Describe, RefusesOtherFiles) {
   }
   barrier();
   EXPECT_THAT(error_of([&] { return describe(folder / "other.h5"); }),
-              HasSubstr("no result, recording, checkpoint, sound map or radiated sound"));
+              HasSubstr("no result, recording, checkpoint, sound map, radiated sound or mesh"));
   EXPECT_THAT(error_of([&] { return describe(folder / "text"); }), HasSubstr("is not an HDF5 file, or is damaged"));
 }
 

@@ -127,8 +127,9 @@ Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& whole, MP
   if (ready.scene.radiation.needs_radii()) {
     ready.radii = find_radii(ready, meshes, communicator);
   }
-  // Modal bodies hardly move above their highest mode, so they are read half as often.
-  const bool modal = ready.modal_bases.size() == ready.scene.bodies.size();
+  // Modal bodies hardly move above their highest mode, so they are read half as often. Those with joints have further
+  // modes above it.
+  const bool modal = ready.modal_bases.size() == ready.scene.bodies.size() && ready.scene.joints.empty();
   ready.steps_per_read = surface::choose_steps_per_read(ready.steps_per_sample, ready.scene.audio.rate,
                                                         ready.scene.audio.max_frequency / (modal ? 2 : 1));
   if (parallel::is_root(communicator)) {

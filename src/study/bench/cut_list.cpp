@@ -30,19 +30,26 @@ static bool read(const Node& node, Mistakes& mistakes, Cut& cut) {
   return section.finish();
 }
 
-std::vector<Cut> read_cuts(const std::filesystem::path& file) {
+std::vector<Cut> read_cuts(const std::filesystem::path& file, const Side& side) {
   std::vector<Cut> cuts;
+  std::string made_at = name_of(side);
   Mistakes mistakes;
   const Node tree = deck::read_tree(deck::read_text(file), file.string(), {}, mistakes);
   Section section(tree, mistakes);
+  section.optional("side", made_at);
+  if (made_at != name_of(side)) {
+    mistakes.add(*section.find("side"), fmt::format("these cuts were made at the side {}, but {} is to be cut: give "
+                                                    "--side {}",
+                                                    made_at, name_of(side), made_at));
+  }
   section.required("cuts", cuts);
   section.finish();
   mistakes.raise();
   return cuts;
 }
 
-std::string text_of(const std::vector<Cut>& cuts) {
-  std::string text = cuts.empty() ? "cuts: []\n" : "cuts:\n";
+std::string text_of(const std::vector<Cut>& cuts, const Side& side) {
+  std::string text = fmt::format("side: {}\n{}", name_of(side), cuts.empty() ? "cuts: []\n" : "cuts:\n");
   for (const Cut& cut : cuts) {
     text += fmt::format("  - {{tool: \"{}:{:g}\", place: {:.5f}, depth: {:.6f}}}\n", cut.tool.name, cut.tool.radius,
                         cut.place, cut.depth);

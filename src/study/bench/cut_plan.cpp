@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "allowed_depths.hpp"
@@ -78,7 +79,7 @@ class Planner {
     constexpr std::size_t most_visits = 8;
     VectorXd errors = plan_.errors;
     while (plan_.visits.size() < most_visits && !certainty_.is_in_tune(errors)) {
-      std::optional<Visit> visit = next_visit(errors);
+      std::optional<Visit> visit = visit_within_model(errors);
       if (!visit) {
         break;
       }
@@ -151,6 +152,18 @@ class Planner {
       }
     }
     return best;
+  }
+
+  /// The next visit; none where no cut is safe, or a later one leaves the model, whose tap will tell.
+  std::optional<Visit> visit_within_model(const VectorXd& errors) {
+    try {
+      return next_visit(errors);
+    } catch (const OutsideOfModel& outside) {
+      if (plan_.visits.empty()) {
+        throw OutsideOfModel(std::string("the next cuts can't be planned: ") + outside.what());
+      }
+      return {};
+    }
   }
 
   /// The cuts of one visit: chosen by slopes, then made deeper or less deep by slopes half-way between the body before

@@ -107,7 +107,8 @@ std::vector<double> CuttableMesh::depths_of(const std::vector<Cut>& cuts) const 
     const std::array<Vector3, 3> corners = corners_of(mesh_, face);
     const auto [low, high] =
         std::ranges::minmax({corners[0][side_.along], corners[1][side_.along], corners[2][side_.along]});
-    const double area = (corners[1] - corners[0]).cross(corners[2] - corners[0]).norm() / 2;
+    // A depth is measured across the side, so an area counts as it is seen from there.
+    const double area = std::abs((corners[1] - corners[0]).cross(corners[2] - corners[0])[side_.facing]) / 2;
     constexpr double parts_of_radius = 8;
     const int parts = std::clamp(static_cast<int>(std::ceil(parts_of_radius * (high - low) / narrowest)), 4, 100);
     const auto add = [&](double a, double b) {
@@ -149,7 +150,7 @@ mesh::Mesh CuttableMesh::with(const std::vector<Cut>& cuts) const {
       depth += follower.shares.at(k) * depths[follower.corners.at(k)];
     }
     if (depth > follower.thickness / 2) {
-      throw std::runtime_error(
+      throw OutsideOfModel(
           fmt::format("cuts at {} = {:.4g} m take {:.2g} m, more than half of the body's {:.2g} m there",
                       axis_name(side_), mesh_.nodes[follower.node][side_.along], depth, follower.thickness));
     }

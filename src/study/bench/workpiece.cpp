@@ -21,7 +21,7 @@ Eigen::Map<const Eigen::VectorXd> shape_of(const eigenmodes::Mode& mode) {
   return {mode.shape.data(), static_cast<Eigen::Index>(mode.shape.size())};
 }
 
-/// Where a mode is among others. @throws std::runtime_error where none is like it
+/// Where a mode is among others. @throws OutsideOfModel where none is like it
 std::size_t find(const eigenmodes::Mode& wanted, const std::vector<eigenmodes::Mode>& modes) {
   constexpr double least = 0.5;
   const auto likeness = [&](const eigenmodes::Mode& mode) {
@@ -30,9 +30,10 @@ std::size_t find(const eigenmodes::Mode& wanted, const std::vector<eigenmodes::M
   };
   const auto found = std::ranges::max_element(modes, {}, likeness);
   if (likeness(*found) < least) {
-    throw std::runtime_error(
-        fmt::format("the mode at {:.1f} Hz has no like in the body with the cuts: write them into the deck's mesh",
-                    wanted.frequency));
+    throw OutsideOfModel(fmt::format(
+        "no mode of the body with the cuts resembles that at {:.1f} Hz: give the deck a mesh with the cuts, and leave "
+        "them out of --cuts",
+        wanted.frequency));
   }
   return static_cast<std::size_t>(found - modes.begin());
 }

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <stdexcept>
 #include <vector>
 
 #include "idiophone/study/bench/cut_side.hpp"
@@ -24,7 +25,12 @@ struct CutBody {
   Strips strips;          ///< slopes of the partials for further cuts
 };
 
-/// Solves a body with cuts beside those that it has already.
+/// The model has no answer: the cuts go too deep, or a mode is not recognised any more.
+struct OutsideOfModel : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Solves a body with cuts beside those that it has already. It may throw OutsideOfModel.
 using CutModel = std::function<CutBody(const std::vector<Cut>&)>;
 
 }  // namespace idiophone::bench

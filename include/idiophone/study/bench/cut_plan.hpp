@@ -42,7 +42,8 @@ struct Plan {
   Eigen::VectorXd errors = {};       ///< [partials] now
   Eigen::VectorXd measured = {};     ///< [partials] standard deviations of `errors`
   std::vector<Visit> visits = {};    ///< the cuts to make now, and then those of each next visit if each tap gives what
-                                     ///< is expected; up to the target, or to where no cut is safe
+                                     ///< is expected; up to the target, to where no cut is safe, or
+                                     ///< to the end of the model
   Eigen::VectorXd unreachable = {};  ///< [partials] errors that the best cuts, each up to half of the body's thickness,
                                      ///< leave
 };
@@ -52,10 +53,11 @@ struct Plan {
 
 /// Chooses cuts by non-negative least squares over all tools and places. Each partial goes as near to its target as it
 /// can, so that with a probability of 97.7 % (two standard deviations) it does not pass it by more than the tolerance,
-/// or than twice the uncertainty of its measurement where that is more. The body is solved with the cuts, and they are
-/// chosen once more by the slopes half-way. No cut is deeper than allowed, and none moves a partial by more than 100
-/// cents.
+/// or than twice the uncertainty of its measurement where that is more. The body is solved with the cuts, and their
+/// depths are corrected by the slopes half-way, in up to five rounds. No cut is deeper than allowed. At most eight
+/// visits are planned.
 /// @param model  of the body; what it is with no further cut counts as the measured body
+/// @throws OutsideOfModel where the model has no answer for the next cuts
 [[nodiscard]] Plan plan_cuts(const CutModel& model, const std::vector<Tool>& tools, const Partials& partials,
                              const PlanOptions& options);
 

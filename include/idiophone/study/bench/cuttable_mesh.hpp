@@ -21,7 +21,7 @@ class CuttableMesh {
   [[nodiscard]] const mesh::Mesh& uncut() const { return mesh_; }
 
   /// The mesh after some cuts. Its hash is empty: it is another body.
-  /// @throws std::runtime_error where cuts take more than half of the thickness
+  /// @throws OutsideOfModel where cuts take more than half of the thickness
   [[nodiscard]] mesh::Mesh with(const std::vector<Cut>& cuts) const;
 
  private:

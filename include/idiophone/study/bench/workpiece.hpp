@@ -32,7 +32,7 @@ class Workpiece {
   [[nodiscard]] const Side& side() const { return side_; }
 
   /// Tuned modes are recognised by their shapes (Allemang and Brown 1982).
-  /// @throws std::runtime_error where one is lost, and what CuttableMesh::with() and eigenmodes::find_modes() throw
+  /// @throws OutsideOfModel where one is lost, and what CuttableMesh::with() and eigenmodes::find_modes() throw
   [[nodiscard]] Solved with(const std::vector<Cut>& cuts) const;
 
   /// Of the tuned modes.
