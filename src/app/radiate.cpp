@@ -201,7 +201,7 @@ int radiate(const RadiateOptions& options) {
   std::vector<harmonic::Vibration> vibrations;
   parallel::on_root(communicator, [&] {
     warn_of_omissions(scene);
-    surface = harmonic::acoustic_surface(scene);
+    surface = harmonic::acoustic_surface(scene, scene.radiation.floor);
     check_placement(scene,
                     {.names = surface.parts,
                      .bodies = surface.bodies,

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "idiophone/foundation/deck/location.hpp"
-#include "idiophone/scene/joined_bodies.hpp"
+#include "idiophone/scene/joined_solids.hpp"
 #include "idiophone/solids/contact/outline.hpp"
 #include "idiophone/solids/joints/covered_triangles.hpp"
 #include "idiophone/solids/joints/exposed_surface.hpp"
@@ -41,7 +41,7 @@ class SurfaceJoiner {
 };
 
 /// @throws deck::DeckError, pointing at the first joint, where the surface has an edge with one triangle
-void refuse_open_surface(const joints::ExposedSurface& surface, const scene::Scene& assembly) {
+void refuse_open_surface(const joints::ExposedSurface& surface, const scene::Solids& assembly) {
   if (!joints::is_closed(surface.triangles)) {
     const scene::Joint& joint = assembly.joints.front();
     throw deck::DeckError(
@@ -53,7 +53,7 @@ void refuse_open_surface(const joints::ExposedSurface& surface, const scene::Sce
 }
 
 /// @param assembly  a body, or all that joints tie together
-void add_bodies(AcousticSurface& surface, const scene::Scene& assembly) {
+void add_bodies(AcousticSurface& surface, const scene::Solids& assembly) {
   const std::vector<mesh::Mesh> meshes = mesh::read_meshes(assembly.bodies);
   const mesh::Part part = mesh::distribute(meshes, MPI_COMM_SELF);
   const joints::ExposedSurface exposed = joints::exposed_surface(part, joints::covered_triangles(assembly, meshes));
@@ -84,18 +84,19 @@ void add_obstacle(AcousticSurface& surface, const scene::Obstacle& obstacle) {
 
 }  // namespace
 
-AcousticSurface acoustic_surface(const scene::Scene& scene) {
+AcousticSurface acoustic_surface(const scene::Solids& solids, const std::optional<scene::Floor>& floor) {
   AcousticSurface surface;
   surface.first_triangle = {0};
-  for (const std::vector<std::size_t>& bodies : scene::assemblies(scene)) {
-    add_bodies(surface, scene::assembly_of(scene, bodies.front()));
+  for (const std::vector<std::size_t>& bodies : scene::assemblies(solids)) {
+    const scene::Assembly assembly(solids, bodies.front());
+    add_bodies(surface, assembly.solids());
   }
-  for (const scene::Obstacle& obstacle : scene.obstacles) {
+  for (const scene::Obstacle& obstacle : solids.obstacles) {
     if (obstacle.shape != scene::Obstacle::Shape::half_space) {
       add_obstacle(surface, obstacle);
     }
   }
-  if (const auto& floor = scene.radiation.floor) {
+  if (floor) {
     surface.boundary.floor = radiation::ReflectingPlane{floor->at, floor->direction, floor->reflection};
   }
   return surface;

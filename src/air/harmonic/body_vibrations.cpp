@@ -7,7 +7,7 @@
 #include <map>
 
 #include "given_velocities.hpp"
-#include "idiophone/scene/joined_bodies.hpp"
+#include "idiophone/scene/joined_solids.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 #include "idiophone/solids/joints/covered_triangles.hpp"
 #include "idiophone/solids/joints/exposed_surface.hpp"
@@ -41,9 +41,10 @@ void move(Vibration& vibration, const AcousticSurface& surface, std::size_t part
 
 }  // namespace
 
-std::vector<Vibration> modal_vibrations(const scene::Scene& scene, std::size_t part, int count,
+std::vector<Vibration> modal_vibrations(const scene::Solids& solids, std::size_t part, int count,
                                         const AcousticSurface& surface) {
-  const scene::Scene assembly = scene::assembly_of(scene, scene::assemblies(scene)[part].front());
+  const scene::Assembly joined(solids, scene::assemblies(solids)[part].front());
+  const scene::Solids assembly = joined.solids();
   const std::vector<mesh::Mesh> meshes = mesh::read_meshes(assembly.bodies);
   const mesh::Part mesh = mesh::distribute(meshes, MPI_COMM_SELF);
   const joints::ExposedSurface exposed = joints::exposed_surface(mesh, joints::covered_triangles(assembly, meshes));

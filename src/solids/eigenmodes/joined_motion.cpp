@@ -6,7 +6,7 @@
 #include <span>
 
 #include "idiophone/foundation/deck/location.hpp"
-#include "idiophone/scene/joined_bodies.hpp"
+#include "idiophone/scene/joined_solids.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 #include "idiophone/solids/joints/joints.hpp"
 
@@ -29,11 +29,12 @@ Options wanted_modes(std::span<const scene::Body> assembly) {
   return options;
 }
 
-/// @param bodies  numbers of the assembly's bodies in the scene
-void add_motions(const scene::Scene& scene, const std::vector<std::size_t>& bodies,
+/// @param bodies  numbers of the assembly's bodies
+void add_motions(const scene::Solids& solids, const std::vector<std::size_t>& bodies,
                  const std::vector<mesh::Mesh>& meshes, std::map<std::size_t, JoinedMotion>& motions) {
-  const auto modal = std::ranges::find_if(bodies, [&](std::size_t b) { return scene.bodies[b].modal.has_value(); });
-  const scene::Scene assembly = scene::assembly_of(scene, bodies.front());
+  const auto modal = std::ranges::find_if(bodies, [&](std::size_t b) { return solids.bodies[b].modal.has_value(); });
+  const scene::Assembly joined(solids, bodies.front());
+  const scene::Solids assembly = joined.solids();
   if (modal == bodies.end() || assembly.joints.empty()) {
     return;
   }
@@ -45,13 +46,13 @@ void add_motions(const scene::Scene& scene, const std::vector<std::size_t>& bodi
   try {
     found = find_modes(assembly, part, attachments, wanted_modes(assembly.bodies), MPI_COMM_SELF);
   } catch (const std::runtime_error& error) {
-    throw deck::DeckError(scene.bodies[*modal].modal->where,
+    throw deck::DeckError(solids.bodies[*modal].modal->where,
                           std::string("with all that joints tie to the body: ") + error.what());
   }
   std::vector<double> springs(part.node_ids.size()), dashpots(springs.size());
   joints::Joints(attachments.joints, part).add_bounds(springs, dashpots);
   for (std::size_t place = 0; place < bodies.size(); ++place) {
-    if (!scene.bodies[bodies[place]].modal) {
+    if (!solids.bodies[bodies[place]].modal) {
       continue;
     }
     const auto begin = part.bodies[place].owned_begin, end = part.bodies[place].owned_end;
@@ -66,10 +67,10 @@ void add_motions(const scene::Scene& scene, const std::vector<std::size_t>& bodi
 
 }  // namespace
 
-std::map<std::size_t, JoinedMotion> joined_motions(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes) {
+std::map<std::size_t, JoinedMotion> joined_motions(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes) {
   std::map<std::size_t, JoinedMotion> motions;
-  for (const std::vector<std::size_t>& bodies : scene::assemblies(scene)) {
-    add_motions(scene, bodies, meshes, motions);
+  for (const std::vector<std::size_t>& bodies : scene::assemblies(solids)) {
+    add_motions(solids, bodies, meshes, motions);
   }
   return motions;
 }

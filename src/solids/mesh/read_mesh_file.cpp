@@ -44,7 +44,8 @@ void require_finite(const std::vector<Vector3>& nodes) {
 /// Lists as mesh.group_triangles.
 /// @throws std::runtime_error unless the mesh can have them, and their nodes are among those of the group
 void require_in_groups(const Mesh& mesh, const std::map<std::string, std::vector<Triangle>>& lists) {
-  if (!lists.empty() && mesh.element != element::tet4) {
+  constexpr int of_linear_tetrahedra = 4;
+  if (!lists.empty() && element::node_count(mesh.element) != of_linear_tetrahedra) {
     refuse(mesh_file::group_triangles, "has lists, which only a mesh of tet4 has");
   }
   for (const auto& [name, triangles] : lists) {

@@ -1,11 +1,13 @@
 #pragma once
 // All surfaces of a deck that reflect sound.
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "idiophone/air/harmonic/boundary_elements.hpp"
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/radiation_section.hpp"
+#include "idiophone/scene/solids.hpp"
 
 namespace idiophone::harmonic {
 
@@ -21,6 +23,6 @@ struct AcousticSurface {
 /// Meshes everything. Half-spaces have no surface and are left out. Call on one rank.
 /// @throws deck::DeckError where a mesh can't be read; as joints::covered_triangles(); pointing at a joint, where the
 /// surface of joined bodies is open
-[[nodiscard]] AcousticSurface acoustic_surface(const scene::Scene& scene);
+[[nodiscard]] AcousticSurface acoustic_surface(const scene::Solids& solids, const std::optional<scene::Floor>& floor);
 
 }  // namespace idiophone::harmonic

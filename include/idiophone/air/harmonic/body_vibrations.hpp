@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "idiophone/air/harmonic/acoustic_surface.hpp"
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/solids.hpp"
 
 namespace idiophone::harmonic {
 
@@ -23,7 +23,7 @@ struct Vibration {
 /// The lowest modes of one part for a modal velocity of 1 m sqrt(kg)/s, all else at rest. Call on one rank.
 /// @param part  of the surface: a body, or bodies that joints tie together
 /// @throws deck::DeckError, std::runtime_error as eigenmodes::find_modes()
-[[nodiscard]] std::vector<Vibration> modal_vibrations(const scene::Scene& scene, std::size_t part, int count,
+[[nodiscard]] std::vector<Vibration> modal_vibrations(const scene::Solids& solids, std::size_t part, int count,
                                                       const AcousticSurface& surface);
 
 /// One part moves to and fro along each axis, with 1 m/s, at each frequency.

@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "idiophone/scene/scene.hpp"
+#include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
 
 namespace idiophone::eigenmodes {
@@ -21,7 +21,7 @@ struct JoinedMotion {
 /// @param meshes  of all bodies
 /// @return by the number of each modal body that a joint holds
 /// @throws deck::DeckError, pointing at a model, where the assembly has no such modes
-[[nodiscard]] std::map<std::size_t, JoinedMotion> joined_motions(const scene::Scene& scene,
+[[nodiscard]] std::map<std::size_t, JoinedMotion> joined_motions(const scene::Solids& solids,
                                                                  const std::vector<mesh::Mesh>& meshes);
 
 }  // namespace idiophone::eigenmodes
