@@ -55,9 +55,9 @@ class Bench(program.TestCase):
     def test_warns_where_a_line_may_be_that_of_another_mode(self):
         square = "--set", "bodies.bar.parameters={width: 0.013, centre: 0.0129, size: 0.05}"
         job = self.bench(*square, "--target", "1:2.7", "--mode-numbers", "1,3", *self.measured(self.computed(*square)))
-        self.assertIn("cents from mode 1, so the line at", job.stderr)
+        self.assertIn("cents from mode 1, so the line at", job.stdout)
         job = self.bench(*TARGET, *self.measured(self.computed()))
-        self.assertNotIn("another mode is computed", job.stderr)
+        self.assertNotIn("another mode is computed", job.stdout)
 
     def test_measured_partials_are_matched_and_keep_their_shifts(self):
         computed = self.computed()
