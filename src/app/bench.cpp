@@ -105,8 +105,7 @@ void warn_of_neighbours(const std::vector<eigenmodes::Mode>& modes, std::size_t 
     if (other != mode && apart < close) {
       spdlog::warn(
           "another mode is computed {:.0f} cents from mode {}, so the line at {:.2f} Hz may be that of the other one. "
-          "Tap "
-          "where only mode {} moves, or give its line in a YAML file",
+          "Tap where only mode {} moves, or give its line in a YAML file",
           apart, number, line.frequency, number);
     }
   }
@@ -156,12 +155,11 @@ bench::Partials distances_of(const std::vector<BenchPartial>& partials, bool are
 
 void require_on_body(const std::vector<bench::Cut>& made, const bench::Strips& strips,
                      const std::filesystem::path& file) {
-  const double low = strips.places.front() - strips.width / 2, high = strips.places.back() + strips.width / 2;
   for (std::size_t cut = 0; cut < made.size(); ++cut) {
-    if (made[cut].place < low || made[cut].place > high) {
+    if (made[cut].place < strips.low() || made[cut].place > strips.high()) {
       throw std::runtime_error(
           fmt::format("{}: the middle of cut {} is at {:g} m, but the body lies from {:.4g} to {:.4g} m", file.string(),
-                      cut + 1, made[cut].place, low, high));
+                      cut + 1, made[cut].place, strips.low(), strips.high()));
     }
   }
 }

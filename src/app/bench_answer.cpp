@@ -39,8 +39,8 @@ std::string word_of(Verdict verdict) {
 
 /// Where the effect of a tool is shown, m: evenly from end to end, as far as its cuts lie within the body.
 std::vector<double> places_shown(const bench::Strips& strips, const bench::Tool& tool) {
-  const double low = strips.places.front() - strips.width / 2 + tool.radius;
-  const double high = strips.places.back() + strips.width / 2 - tool.radius;
+  const double low = strips.low() + tool.radius;
+  const double high = strips.high() - tool.radius;
   std::vector<double> places;
   for (int i = 0; i < shown_places && low < high; ++i) {
     places.push_back(low + (high - low) * i / (shown_places - 1));

@@ -24,15 +24,7 @@ std::vector<std::vector<std::size_t>> assemblies(const Solids& solids) {
   return found;
 }
 
-Assembly::Assembly(const Solids& all, std::size_t body) : rest(all) {
-  rest.bodies = {};
-  rest.pulses = {};
-  rest.plucks = {};
-  rest.winds = {};
-  rest.bows = {};
-  rest.contacts = {};
-  rest.joints = {};
-  rest.gauges = {};
+Assembly::Assembly(const Solids& all, std::size_t body) : rest(all.alone(body)) {
   const auto sets = assemblies(all);
   std::vector<std::size_t> parts =
       *std::ranges::find_if(sets, [&](const auto& set) { return std::ranges::binary_search(set, body); });

@@ -22,7 +22,7 @@ struct Assembly {
 
   std::vector<Body> bodies;
   std::vector<Joint> joints;  ///< between these bodies
-  Solids rest;                ///< what all bodies have in common: materials, obstacles, gravity and air
+  Solids rest;                ///< the body alone: materials, obstacles, gravity and air are those of all
 };
 
 }  // namespace idiophone::scene

@@ -6,6 +6,7 @@
 #include "idiophone/foundation/parallel/petsc.hpp"
 #include "idiophone/solids/motion/ghost_exchange.hpp"
 #include "idiophone/solids/solid/leapfrog.hpp"
+#include "state_exchange.hpp"
 #include "velocity_exchange.hpp"
 
 namespace idiophone::motion {
@@ -56,7 +57,6 @@ Motion::Motion(const scene::Solids& solids, const mesh::Part& part, const Attach
       force_(part.node_ids.size()),
       ghost_exchange_(ghost_exchange(part, communicator)),
       velocity_exchange_(velocity_exchange(solids, part, ghost_exchange_, communicator)),
-      node_type_(state_width, MPI_DOUBLE),
       node_rows_(std::span(part.node_ids).first(part.owned_nodes), part.global_nodes, communicator) {
   dynamics_.begin(step_);
   if (velocity_exchange_->is_slow()) {
@@ -144,7 +144,7 @@ void Motion::choose_nodes() {
 void Motion::begin_at(std::int64_t step_number, contact::BondUpdate bonds) {
   step_number_ = step_number;
   petsc(TSSetTime(ts_, static_cast<double>(step_number) * step_));
-  update_ghosts();
+  StateExchange(part_, ghost_exchange_).receive(state_);
   contacts_.compute_forces(step_number, state_, bonds);
   choose_nodes();
 }
@@ -162,12 +162,6 @@ void Motion::receive_ghosts() {
     }
     ghosts_travel_ = false;
   }
-}
-
-void Motion::update_ghosts() {
-  NodeState* ghosts = state_.data() + part_.owned_nodes;
-  petsc(PetscSFBcastBegin(ghost_exchange_, node_type_.get(), state_.data(), ghosts, MPI_REPLACE));
-  petsc(PetscSFBcastEnd(ghost_exchange_, node_type_.get(), state_.data(), ghosts, MPI_REPLACE));
 }
 
 }  // namespace idiophone::motion

@@ -1,6 +1,6 @@
 #pragma once
-// States of ghosts by messages, where a modal body has nodes that are ghosts elsewhere: such a node does not move by
-// its velocity times the step.
+// States of ghosts by messages: at the start, and in each step where a modal body has nodes that are ghosts elsewhere,
+// because such a node does not move by its velocity times the step.
 
 #include <petscsf.h>
 

@@ -29,11 +29,9 @@ struct Candidate {
 /// Cuts that lie within the body.
 std::vector<Candidate> candidates_of(const Strips& strips, const std::vector<Tool>& tools) {
   std::vector<Candidate> candidates;
-  const double low = strips.places.front() - strips.width / 2;
-  const double high = strips.places.back() + strips.width / 2;
   for (const Tool& tool : tools) {
     const double stride = tool.radius / strides_of_radius;
-    for (double place = low + tool.radius; place <= high - tool.radius + 1e-9; place += stride) {
+    for (double place = strips.low() + tool.radius; place <= strips.high() - tool.radius + 1e-9; place += stride) {
       candidates.push_back({tool, place});
     }
   }

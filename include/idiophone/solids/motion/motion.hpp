@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "idiophone/foundation/parallel/archive.hpp"
-#include "idiophone/foundation/parallel/datatype.hpp"
 #include "idiophone/foundation/parallel/petsc.hpp"
 #include "idiophone/foundation/parallel/reproducible_sum.hpp"
 #include "idiophone/solids/contact/contacts.hpp"
@@ -88,7 +87,6 @@ class Motion {
   void send_ghosts();
   /// Moves the ghosts, if their velocities have been sent.
   void receive_ghosts();
-  void update_ghosts();
   void choose_nodes();
   void begin_at(std::int64_t step_number, contact::BondUpdate bonds);
   static PetscErrorCode compute_force(TS ts, PetscReal time, Vec state, Vec force, void* context);
@@ -109,7 +107,6 @@ class Motion {
   parallel::Handle<PetscSF> ghost_exchange_;             ///< of states at the start
   std::unique_ptr<VelocityExchange> velocity_exchange_;  ///< in each step
   bool ghosts_travel_ = false;                           ///< their velocities have been sent, and not yet received
-  parallel::Datatype node_type_;                         ///< of a NodeState
   parallel::Rows node_rows_;                             ///< of the archive: owned nodes
   parallel::Handle<TS> ts_;
   ReproducibleSum work_;

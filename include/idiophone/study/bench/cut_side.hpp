@@ -34,6 +34,10 @@ struct Side {
 
 /// What material that is removed from strips of a side does to modes. Strips lie across the side, one beside the other.
 struct Strips {
+  /// The ends of the body along it, m.
+  [[nodiscard]] double low() const { return places.front() - width / 2; }
+  [[nodiscard]] double high() const { return places.back() + width / 2; }
+
   double width = 0.0;          ///< of each, m
   double thickness = 0.0;      ///< of the body's box, across the side, m
   std::vector<double> places;  ///< [strips] of their middles along the body, m
