@@ -6,12 +6,13 @@ set_property(CACHE IDIOPHONE_WEBASSEMBLY PROPERTY STRINGS AUTO ON OFF)
 
 set(webassembly ${PROJECT_BINARY_DIR}/webassembly)
 set(sources damped_oscillator smooth_rise bow resonator_bank chosen_groups bodies_in_contact contact_forces point_contacts
-  stretched_modes stretching_energy stretching_order force running_stroke)
+  stretched_modes force running_stroke)
 list(TRANSFORM sources PREPEND resonators/)
 list(APPEND sources score/score_values touching/contact_track touching/led_stroke touching/surface_pair touching/contact_sounds
   page_sound/page_bow page_sound/page_body page_sound/page_contacts page_sound/exports)
 list(TRANSFORM sources PREPEND instruments/)
-list(APPEND sources foundation/friction/elasto_plastic_friction scene/course scene/bowing)
+list(APPEND sources foundation/friction/elasto_plastic_friction foundation/stretching/stretching_energy
+  foundation/stretching/stretching_order scene/course scene/bowing)
 list(TRANSFORM sources REPLACE "(.+)" "#include \"${PROJECT_SOURCE_DIR}/src/\\1.cpp\"")
 list(JOIN sources "\n" sources)
 file(CONFIGURE OUTPUT ${webassembly}/all.cpp CONTENT "${sources}\n")

@@ -29,15 +29,6 @@ inline Pack with_sound(Pack sum, const Group& gain, const Group& z) {
   return sum;
 }
 
-template <class Pack>
-inline double sum_of_lanes(const Pack& lanes) {
-  double sum = 0.0;
-  for (std::size_t lane = 0; lane < sizeof(Pack) / sizeof(lanes[0]); ++lane) {
-    sum += static_cast<double>(lanes[lane]);
-  }
-  return sum;
-}
-
 /// The gains of one group.
 template <std::size_t outputs>
 using GroupGains = std::array<const ModeGroup*, outputs>;

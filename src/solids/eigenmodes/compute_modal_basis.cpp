@@ -116,7 +116,9 @@ modal_bodies::ModalBasis modal_basis(const scene::Solids& solids, std::size_t bo
   const double shift = std::pow(2 * std::numbers::pi * found.shift, 2);
   basis.residual = residual_flexibility(operators, part, basis, loaded, normals_at(loaded, mesh), shift);
   if (model.stretching_tolerance) {
-    basis.stretching = find_stretching(operators, part, basis, shift, *model.stretching_tolerance);
+    const double tolerance = *model.stretching_tolerance;
+    basis.stretching =
+        in_fewest_terms(find_stretching(operators, part, basis, shift, tolerance), basis.frequencies, tolerance);
   }
   return basis;
 }

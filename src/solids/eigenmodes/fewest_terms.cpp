@@ -53,8 +53,9 @@ Eigen::MatrixXd without_smallest(const Eigen::MatrixXd& quadratic, const Eigen::
   const Eigen::MatrixXd energies = weighted(quadratic, roots).cwiseAbs2();
   Eigen::VectorXd sorted = energies.reshaped();
   std::ranges::sort(sorted);
+  const double most = share * energies.sum();
   double left_out = sorted[0], limit = 0.0;
-  for (Eigen::Index i = 1; i < sorted.size() && left_out <= share * energies.sum(); left_out += sorted[i], ++i) {
+  for (Eigen::Index i = 1; i < sorted.size() && left_out <= most; left_out += sorted[i], ++i) {
     limit = sorted[i - 1];
   }
   return (energies.array() <= limit).select(0.0, quadratic);

@@ -37,20 +37,25 @@ Eigen::MatrixXd find_range(const StrainSpace& space, const StaticStretch& static
                            const std::vector<double>& frequencies, double tolerance) {
   constexpr int enough = 8;  // draws that hold nothing new, one after another
   RandomVibrations vibrations(frequencies);
-  Eigen::MatrixXd range(space.size(), 0);
+  std::vector<Eigen::VectorXd> found;
   for (int passed = 0; passed < enough;) {
     const Eigen::VectorXd strain = statics.remainder(space.quadratic(shapes * vibrations.draw()));
     Eigen::VectorXd rest = strain;
     for (int again = 0; again < 2; ++again) {  // once more for what rounding left
-      rest -= range * (range.transpose() * rest).eval();
+      for (const Eigen::VectorXd& known : found) {
+        rest -= known.dot(rest) * known;
+      }
     }
     if (rest.squaredNorm() <= tolerance * strain.squaredNorm()) {
       ++passed;
       continue;
     }
     passed = 0;
-    range.conservativeResize(Eigen::NoChange, range.cols() + 1);
-    range.rightCols<1>() = rest.normalized();
+    found.push_back(rest.normalized());
+  }
+  Eigen::MatrixXd range(space.size(), std::ssize(found));
+  for (Eigen::Index n = 0; n < range.cols(); ++n) {
+    range.col(n) = found[static_cast<std::size_t>(n)];
   }
   return range;
 }
@@ -92,8 +97,7 @@ modal_bodies::Stretching find_stretching(const Operators& operators, const mesh:
   }
   found.linear.assign(linear.reshaped().begin(), linear.reshaped().end());
   for (const Eigen::MatrixXd& product : space.products(range, shapes)) {
-    const Eigen::MatrixXd symmetric = (product + product.transpose()) / 2;  // it is but for rounding
-    found.quadratic.insert(found.quadratic.end(), symmetric.reshaped().begin(), symmetric.reshaped().end());
+    found.quadratic.insert(found.quadratic.end(), product.reshaped().begin(), product.reshaped().end());
   }
   const Eigen::MatrixXd rotation = space.rotations(shapes);
   found.rotation.assign(rotation.reshaped().begin(), rotation.reshaped().end());

@@ -22,6 +22,18 @@ Eigen::MatrixXd at_nodes(const Eigen::Ref<const Eigen::MatrixXd>& fields, std::s
   return values;
 }
 
+/// What two modes together add to 1/2 (grad u)^T grad u, half for each order of them; shears count twice.
+Eigen::Vector<double, 6> strain_of_pair(const Eigen::Ref<const Eigen::Matrix3d, 0, Eigen::OuterStride<>>& one,
+                                        const Eigen::Ref<const Eigen::Matrix3d, 0, Eigen::OuterStride<>>& other) {
+  const Eigen::Matrix3d product = one.transpose() * other / 2;
+  Eigen::Vector<double, 6> strain;
+  for (int c = 0; c < 6; ++c) {
+    const auto [i, j] = direction_pairs[c];
+    strain[c] = c < 3 ? product(i, j) : product(i, j) + product(j, i);
+  }
+  return strain;
+}
+
 }  // namespace
 
 StrainSpace::StrainSpace(const mesh::BodyPart& body, std::span<const Vector3> reference,
@@ -85,24 +97,26 @@ Eigen::VectorXd StrainSpace::quadratic(const Eigen::VectorXd& field) const {
                 [](const Eigen::Matrix3d& gradient) -> Eigen::Matrix3d { return gradient.transpose() * gradient / 2; });
 }
 
-Eigen::Matrix3d StrainSpace::stress(const Eigen::Ref<const Eigen::VectorXd>& strain, const Element& element,
-                                    Eigen::Index point) const {
-  const Eigen::Vector<double, 6> s =
-      std::sqrt(element.volumes[point]) * roots_[element.region] * strain.segment<6>(6 * (element.first + point));
-  Eigen::Matrix3d full;
-  for (int c = 0; c < 6; ++c) {
-    const auto [i, j] = direction_pairs[c];
-    full(i, j) = full(j, i) = s[c];
+Eigen::MatrixXd StrainSpace::stresses_of(const Eigen::Ref<const Eigen::MatrixXd>& strains,
+                                         const Element& element) const {
+  Eigen::MatrixXd stresses(6 * element.points(), strains.cols());
+  for (Eigen::Index p = 0; p < element.points(); ++p) {
+    stresses.middleRows<6>(6 * p) =
+        std::sqrt(element.volumes[p]) * roots_[element.region] * strains.middleRows<6>(6 * (element.first + p));
   }
-  return full;
+  return stresses;
 }
 
 Eigen::VectorXd StrainSpace::forces(const Eigen::VectorXd& strain) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(3 * std::ssize(reference_));
   for_each_element([&](const Element& element) {
+    const Eigen::VectorXd listed = stresses_of(strain, element);
     Eigen::Matrix3Xd stresses(3, 3 * element.points());
     for (Eigen::Index p = 0; p < element.points(); ++p) {
-      stresses.middleCols<3>(3 * p) = stress(strain, element, p);
+      for (int c = 0; c < 6; ++c) {
+        const auto [i, j] = direction_pairs[c];
+        stresses(i, 3 * p + j) = stresses(j, 3 * p + i) = listed[6 * p + c];
+      }
     }
     const Eigen::Matrix3Xd nodal = stresses * element.slopes.transpose();
     for (Eigen::Index a = 0; a < nodal.cols(); ++a) {
@@ -115,28 +129,31 @@ Eigen::VectorXd StrainSpace::forces(const Eigen::VectorXd& strain) const {
 std::vector<Eigen::MatrixXd> StrainSpace::products(const Eigen::MatrixXd& strains,
                                                    const Eigen::MatrixXd& shapes) const {
   const Eigen::Index modes = shapes.cols();
-  std::vector<Eigen::MatrixXd> result(static_cast<std::size_t>(strains.cols()), Eigen::MatrixXd::Zero(modes, modes));
+  // [strains, modes] of each mode: the products with the modes up to it.
+  std::vector<Eigen::MatrixXd> of_modes(static_cast<std::size_t>(modes), Eigen::MatrixXd::Zero(strains.cols(), modes));
   for_each_element([&](const Element& element) {
     const Eigen::MatrixXd gradients = at_nodes(shapes, element.nodes) * element.slopes;
-    // [modes, 9 x points], a row of grad u after another, so that one product adds up all rows and points.
-    const auto rows = gradients.reshaped(3, modes * 3 * element.points());
-    Eigen::MatrixXd all(modes, 9 * element.points());
-    Eigen::MatrixXd stressed(modes, all.cols());
-    for (Eigen::Index row = 0; row < 3; ++row) {
-      all.middleCols(row * 3 * element.points(), 3 * element.points()) =
-          rows.row(row).reshaped(modes, 3 * element.points());
-    }
-    for (Eigen::Index n = 0; n < strains.cols(); ++n) {
-      for (Eigen::Index p = 0; p < element.points(); ++p) {
-        const Eigen::Matrix3d s = stress(strains.col(n), element, p);
-        for (Eigen::Index row = 0; row < 3; ++row) {
-          const Eigen::Index column = 3 * (row * element.points() + p);
-          stressed.middleCols<3>(column) = all.middleCols<3>(column) * (s / 2);
+    const Eigen::MatrixXd stresses = stresses_of(strains, element);
+    Eigen::MatrixXd pairs(stresses.rows(), modes);  // strains of one mode with each
+    for (Eigen::Index mode = 0; mode < modes; ++mode) {
+      for (Eigen::Index other = 0; other <= mode; ++other) {
+        for (Eigen::Index p = 0; p < element.points(); ++p) {
+          pairs.col(other).segment<6>(6 * p) =
+              strain_of_pair(gradients.block<3, 3>(3 * mode, 3 * p), gradients.block<3, 3>(3 * other, 3 * p));
         }
       }
-      result[static_cast<std::size_t>(n)].noalias() += all * stressed.transpose();
+      of_modes[static_cast<std::size_t>(mode)].leftCols(mode + 1).noalias() +=
+          stresses.transpose() * pairs.leftCols(mode + 1);
     }
   });
+  std::vector<Eigen::MatrixXd> result(static_cast<std::size_t>(strains.cols()), Eigen::MatrixXd(modes, modes));
+  for (Eigen::Index n = 0; n < strains.cols(); ++n) {
+    for (Eigen::Index mode = 0; mode < modes; ++mode) {
+      const auto row = of_modes[static_cast<std::size_t>(mode)].row(n).head(mode + 1);
+      result[static_cast<std::size_t>(n)].row(mode).head(mode + 1) = row;
+      result[static_cast<std::size_t>(n)].col(mode).head(mode + 1) = row.transpose();
+    }
+  }
   return result;
 }
 

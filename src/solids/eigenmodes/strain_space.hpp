@@ -35,7 +35,7 @@ class StrainSpace {
   /// nodes]
   [[nodiscard]] Eigen::VectorXd forces(const Eigen::VectorXd& strain) const;
 
-  /// H with q . H q = product of a strain with quadratic(sum q phi). [strains][modes x modes]
+  /// H with q . H q = product of a strain with quadratic(sum q phi), symmetric. [strains][modes x modes]
   /// @param strains  [size() x strains]
   /// @param shapes   phi, [3 x nodes, modes]
   [[nodiscard]] std::vector<Eigen::MatrixXd> products(const Eigen::MatrixXd& strains,
@@ -62,9 +62,9 @@ class StrainSpace {
       const Eigen::VectorXd& field,
       const std::function<Eigen::Matrix3d(const Eigen::Matrix3d& gradient)>& strain_of) const;
 
-  /// v sigma of a part of a strain, that of a point of an element, J.
-  [[nodiscard]] Eigen::Matrix3d stress(const Eigen::Ref<const Eigen::VectorXd>& strain, const Element& element,
-                                       Eigen::Index point) const;
+  /// v sigma of the parts of strains that an element has, J. [6 x points, strains]
+  [[nodiscard]] Eigen::MatrixXd stresses_of(const Eigen::Ref<const Eigen::MatrixXd>& strains,
+                                            const Element& element) const;
 
   const mesh::BodyPart& body_;
   std::span<const Vector3> reference_;

@@ -197,8 +197,9 @@ void ModalBody::archive(parallel::Archive& archive) {
   archive.rows(path + "/frame", rows_of(1, here ? 1 : 0), [this](std::size_t, parallel::ArchiveRow& row) {
     frame_.archive(row);
     row.value(before_);
+    coordinates_.archive_stored_energy(row);
   });
-  coordinates_.prepare(before_);
+  coordinates_.restored(before_);
   if (has_residual_) {
     if (archive.restoring()) {
       residual_.choose(numbers_below(inertia_.masses().size()), step_);

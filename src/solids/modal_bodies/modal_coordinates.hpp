@@ -26,6 +26,9 @@ class ModalCoordinates {
   /// Prepares for steps of a length, s. `advance` does so, too.
   void prepare(double length);
 
+  /// Goes on from restored coordinates, after a step of a length, s.
+  void restored(double length);
+
   /// From t_n to t_{n+1}.
   /// @param force  [modes] at t_n, N/kg^1/2
   void advance(const Step& step, const Eigen::ArrayXd& force);
@@ -38,25 +41,35 @@ class ModalCoordinates {
   [[nodiscard]] Eigen::ArrayXd rates_now(const Step& step, const Eigen::ArrayXd& force) const;
 
   [[nodiscard]] double elastic_energy() const;  ///< J
+  /// What the last step left of the energy of stretching, J: with the discrete energy of the recurrences it is
+  /// conserved.
+  [[nodiscard]] double stored_energy() const { return stored_; }
 
   /// Whether the modes stretch the body, so that they depend on each other.
   [[nodiscard]] bool stretch() const { return stretching_.exists(); }
   [[nodiscard]] std::size_t bytes() const { return stretching_.bytes(); }  ///< memory of the force of stretching
 
   void archive(std::size_t mode, parallel::ArchiveRow& row);
+  void archive_stored_energy(parallel::ArchiveRow& row) { row.value(stored_); }
 
  private:
-  /// Rates over the next step, as long as the last one.
-  [[nodiscard]] Eigen::ArrayXd next_rates(const Eigen::ArrayXd& force) const;
+  /// What the next step, as long as the last one, leaves.
+  struct Next {
+    Eigen::ArrayXd rates;  ///< [modes] over it
+    double stored;         ///< as StretchedStep
+  };
+  [[nodiscard]] Next next(const Eigen::ArrayXd& force) const;
 
   Eigen::ArrayXd frequencies_;    ///< [modes] w without damping, rad/s
   Eigen::ArrayXd decays_;         ///< [modes] 1/s
+  Eigen::ArrayXd squares_;        ///< [modes] w^2, 1/s^2
   Eigen::ArrayXd flexibilities_;  ///< [modes] 1/w^2, s^2
   double length_ = 0.0;           ///< of the steps prepared, s
   Eigen::ArrayXd keep_;           ///< [modes] as OscillatorStep
   Eigen::ArrayXd pull_;           ///< likewise
   Eigen::ArrayXd stiffness_;      ///< [modes] as ModalStep
-  StretchingForce stretching_;
+  StretchingForce stretching_;    ///< at the places
+  double stored_ = 0.0;           ///< as StretchedStep
   Eigen::ArrayXd places_;
   Eigen::ArrayXd rates_;
 };

@@ -1,54 +1,57 @@
 #include "stretching_force.hpp"
 
-#include <Eigen/Cholesky>
+#include <algorithm>
 #include <cmath>
 
 namespace idiophone::modal_bodies {
 
+namespace {
+
+constexpr double offset_in_energies = 2.0;  // of modes and stretching together
+constexpr double correction = 500.0;        // share of a drift that is taken back in a second
+constexpr double smallest_place = 1e-16;    // kg^1/2 m; squares of smaller ones would be denormal
+constexpr double smallest_energy = 1e-40;   // J
+
+/// That the linear recurrence conserves without damping, J.
+double energy_of_modes(const ModalStep& step, const Eigen::ArrayXd& begin, const Eigen::ArrayXd& end) {
+  return ((step.stiffness * (end - begin).square()).sum() + (step.squares * begin * end).sum()) / 2;
+}
+
+}  // namespace
+
 StretchingForce::StretchingForce(const Stretching& stretching) {
-  if (!stretching.exists()) {
-    return;
+  if (stretching.exists() && stretching.terms() > 0) {
+    const std::size_t modes = stretching.linear.size() / stretching.terms();
+    energy_.emplace(stretching.linear, stretching.quadratic, modes);
+    places_.resize(modes);
+    slopes_.resize(modes);
+    go_to(Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(modes)));
   }
-  const auto modes = static_cast<Eigen::Index>(std::lround(std::sqrt(std::ssize(stretching.rotation))));
-  terms_ = std::ssize(stretching.linear) / modes;
-  linear_ = Eigen::Map<const Eigen::MatrixXd>(stretching.linear.data(), modes, terms_);
-  quadratic_ = Eigen::Map<const Eigen::MatrixXd>(stretching.quadratic.data(), modes, modes * terms_);
-  linear_square_ = linear_ * linear_.transpose();
 }
 
-Eigen::MatrixXd StretchingForce::products(const Eigen::ArrayXd& places) const {
-  return (quadratic_.transpose() * places.matrix()).reshaped(places.size(), terms_);
+void StretchingForce::go_to(const Eigen::ArrayXd& places) {
+  std::ranges::transform(places, places_.begin(), [](double place) {
+    return std::abs(place) < smallest_place ? 0.0F : static_cast<float>(place);
+  });
+  value_ = energy_->at(places_, 1.0F, slopes_);
+  gradient_ = Eigen::Map<const Eigen::ArrayXf>(slopes_.data(), std::ssize(slopes_)).cast<double>();
 }
 
-Eigen::ArrayXd StretchingForce::at(const Eigen::ArrayXd& places) const {
-  const Eigen::MatrixXd y = products(places);
-  const Eigen::VectorXd z = y.transpose() * places.matrix();
-  const Eigen::VectorXd a = linear_.transpose() * places.matrix();
-  return -(2 * y * (a + z) + linear_ * z).array();
-}
-
-double StretchingForce::energy(const Eigen::ArrayXd& places) const {
-  const Eigen::VectorXd z = products(places).transpose() * places.matrix();
-  const Eigen::VectorXd a = linear_.transpose() * places.matrix();
-  return z.dot(a + z / 2);
-}
-
-Eigen::ArrayXd StretchingForce::change_of_end(const ModalStep& step) const {
-  // The force is linear in the end of the step: force(end + d) = force(end) - slope d.
-  const Eigen::MatrixXd y = products(step.now);
-  const Eigen::VectorXd z = y.transpose() * ((step.before + step.end) / 2).matrix();
-  const Eigen::VectorXd a = linear_.transpose() * ((step.before + 2 * step.now + step.end) / 4).matrix();
-  const Eigen::VectorXd force = -(2 * y * (a + z) + linear_ * z);
-  // slope = sum y y^T + (y A^T + A y^T)/2, as squares
-  const Eigen::MatrixXd p = y + linear_ / 2;
-  Eigen::MatrixXd matrix = linear_square_ / -4;
-  matrix.diagonal() += step.stiffness.matrix();
-  matrix.selfadjointView<Eigen::Lower>().rankUpdate(p);
-  return matrix.llt().solve(force).array();
-}
-
-std::size_t StretchingForce::bytes() const {
-  return static_cast<std::size_t>(linear_.size() + quadratic_.size() + linear_square_.size()) * sizeof(double);
+StretchedStep StretchingForce::step(const ModalStep& step, double stored) const {
+  const double energy = std::max(energy_of_modes(step, step.before, step.now), 0.0);
+  const double offset = std::max(offset_in_energies * (energy + stored), -stored);
+  const double root = std::sqrt(2 * (stored + offset));
+  const double level = std::sqrt(2 * std::max(value_ + offset, smallest_energy));
+  const Eigen::ArrayXd way = (step.end - step.before) / 2;
+  Eigen::ArrayXd g = gradient_ / level;
+  // A part of g along the way lets p approach sqrt(2 (V + offset)). What p gets the modes lose.
+  const double drift = level - (root + (g * way).sum() / 2);
+  const double most = std::max({energy, energy_of_modes(step, step.now, step.end), smallest_energy});
+  g += correction * drift / (2 * most * step.length) * way;
+  const Eigen::ArrayXd pull = g / step.stiffness;
+  const double mean = (root + (g * way).sum() / 2) / (1 + (g * pull).sum() / 4);
+  const double after = 2 * mean - root;
+  return {.change = -mean * pull, .stored = after * after / 2 - offset};
 }
 
 }  // namespace idiophone::modal_bodies

@@ -2,52 +2,60 @@
 // The force of stretching on the modes, in time.
 
 #include <Eigen/Core>
+#include <optional>
+#include <vector>
 
+#include "idiophone/foundation/stretching/stretching_energy.hpp"
 #include "idiophone/solids/modal_bodies/stretching.hpp"
 
 namespace idiophone::modal_bodies {
 
 /// A step of all modes together, of which `end` is where the linear recurrence alone takes them.
 struct ModalStep {
+  double length;                    ///< s
   const Eigen::ArrayXd& before;     ///< [modes] q_{n-1}, kg^1/2 m
   const Eigen::ArrayXd& now;        ///< [modes] q_n
   const Eigen::ArrayXd& end;        ///< [modes]
-  const Eigen::ArrayXd& stiffness;  ///< [modes] force on a mode that would move its end by 1, 1/s^2
+  const Eigen::ArrayXd& stiffness;  ///< [modes] kappa, force on a mode that would move its end by 1, 1/s^2
+  const Eigen::ArrayXd& squares;    ///< [modes] w^2, 1/s^2
 };
 
-/// In a step, the force is that of the discrete energy
-///   sum_n (a_n z_n + 1/2 z_n^2),  a_n = A_n . (q_n + q_{n+1})/2,  z_n = q_n . H_n q_{n+1},
-/// which is conserved together with that of the linear recurrence. Both are a sum of squares, so steps of any length
-/// are stable (docs/method/large_amplitudes.md). The force depends linearly on q_{n+1}: a step solves linear equations
-/// of as many unknowns as modes.
+/// What the force of stretching does in a step.
+struct StretchedStep {
+  Eigen::ArrayXd change;  ///< [modes] of the end of the step, kg^1/2 m
+  double stored;          ///< p^2/2 - offset after the step, J
+};
+
+/// The force is -g p, g the gradient of p = sqrt(2 (V + offset)) at q_n, V the energy of stretching. p is known in the
+/// middle of steps, and goes on by g . (q_{n+1} - q_{n-1})/2; the force has the mean of both. So p^2/2 - offset and the
+/// discrete energy of the linear recurrence always have the same sum, for steps of any length (the scalar auxiliary
+/// variable of J. Shen, J. Xu and J. Yang, J. Comput. Phys. 353, 2018; explicit: S. Bilbao, M. Ducceschi and F. Zama,
+/// J. Comput. Phys. 472, 2023; docs/method/large_amplitudes.md).
 class StretchingForce {
  public:
   /// Of small vibrations: none.
   StretchingForce() = default;
   explicit StretchingForce(const Stretching& stretching);
 
-  [[nodiscard]] bool exists() const { return terms_ > 0; }
+  [[nodiscard]] bool exists() const { return energy_.has_value(); }
 
-  /// At one place, N/kg^1/2. [modes]
-  [[nodiscard]] Eigen::ArrayXd at(const Eigen::ArrayXd& places) const;
+  /// Finds energy and force at a place of the modes, q_n. [modes]
+  void go_to(const Eigen::ArrayXd& places);
+  [[nodiscard]] double energy() const { return value_; }             ///< V at that place, J
+  [[nodiscard]] Eigen::ArrayXd force() const { return -gradient_; }  ///< there, N/kg^1/2. [modes]
 
-  /// At one place, J.
-  [[nodiscard]] double energy(const Eigen::ArrayXd& places) const;
-
-  /// By how much the force changes the end of a step, kg^1/2 m. [modes]
-  [[nodiscard]] Eigen::ArrayXd change_of_end(const ModalStep& step) const;
+  /// A step from that place.
+  /// @param stored  p^2/2 - offset in the middle of the step before, J
+  [[nodiscard]] StretchedStep step(const ModalStep& step, double stored) const;
 
   /// Memory, bytes.
-  [[nodiscard]] std::size_t bytes() const;
+  [[nodiscard]] std::size_t bytes() const { return energy_ ? energy_->bytes() : 0; }
 
  private:
-  /// H_n q of all terms. [modes x terms]
-  [[nodiscard]] Eigen::MatrixXd products(const Eigen::ArrayXd& places) const;
-
-  Eigen::Index terms_ = 0;
-  Eigen::MatrixXd linear_;         ///< A, [modes x terms]
-  Eigen::MatrixXd quadratic_;      ///< H, [modes, modes x terms]
-  Eigen::MatrixXd linear_square_;  ///< sum_n A_n A_n^T, [modes x modes]
+  std::optional<stretching::StretchingEnergy> energy_;
+  std::vector<float> places_, slopes_;  // [modes]
+  double value_ = 0.0;                  // V, J
+  Eigen::ArrayXd gradient_;             // [modes] of V
 };
 
 }  // namespace idiophone::modal_bodies

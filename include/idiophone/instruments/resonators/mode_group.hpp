@@ -6,18 +6,10 @@
 #include <span>
 #include <vector>
 
+#include "idiophone/foundation/vector_register.hpp"
 #include "idiophone/instruments/resonators/damped_oscillator.hpp"
 
 namespace idiophone::resonators {
-
-/// Bytes of the processor's vector registers: GCC computes with wider vectors several times as slowly.
-#if defined(__AVX512F__)
-inline constexpr std::size_t register_size = 64;
-#elif defined(__AVX__)
-inline constexpr std::size_t register_size = 32;
-#else
-inline constexpr std::size_t register_size = 16;
-#endif
 
 /// One number for each of as many modes as fit into a register.
 using ModePack = double __attribute__((vector_size(register_size)));

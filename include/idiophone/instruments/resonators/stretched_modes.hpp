@@ -6,10 +6,12 @@
 #include <span>
 #include <vector>
 
+#include "idiophone/foundation/stretching/stretching_energy.hpp"
 #include "idiophone/instruments/resonators/mode_group.hpp"
-#include "idiophone/instruments/resonators/stretching_energy.hpp"
 
 namespace idiophone::resonators {
+
+using stretching::StretchingEnergy;
 
 /// The force is constant in an audio sample, and the modes move exactly under it. It is -g p: g is the gradient of
 /// p = sqrt(2 (V + offset)) in the middle of the sample, p the mean of its values at the ends. p goes on by g times the

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace idiophone::resonators {
+namespace idiophone::stretching {
 
 namespace {
 
@@ -78,4 +78,4 @@ StretchingOrder stretching_order(std::span<const double> quadratic, std::size_t 
   return order;
 }
 
-}  // namespace idiophone::resonators
+}  // namespace idiophone::stretching

@@ -1,15 +1,15 @@
 #pragma once
-// The energy by which modes stretch their body, and its gradient, fast enough for each audio sample
-// (docs/method/large_amplitudes.md).
+// The energy by which modes stretch their body, and its gradient, fast enough for each audio sample of `play` and each
+// step of `run` (docs/method/large_amplitudes.md).
 
 #include <array>
 #include <cstddef>
 #include <span>
 #include <vector>
 
-#include "idiophone/instruments/resonators/mode_group.hpp"
+#include "idiophone/foundation/vector_register.hpp"
 
-namespace idiophone::resonators {
+namespace idiophone::stretching {
 
 /// Two modes, or twice the same.
 struct ModePair {
@@ -29,7 +29,7 @@ class StretchingEnergy {
 
   [[nodiscard]] std::size_t modes() const { return modes_; }
 
-  /// V at q, J. No allocation.
+  /// V at q, J. No allocation. Uses the memory of this object: one thread at a time.
   /// @param places    q, [modes] kg^1/2 m
   /// @param bend      by which A is multiplied
   /// @param gradient  [modes] of V, J/(kg^1/2 m)
@@ -37,6 +37,9 @@ class StretchingEnergy {
 
   /// Multiply-adds of one call.
   [[nodiscard]] std::size_t operations() const;
+
+  /// Memory, bytes.
+  [[nodiscard]] std::size_t bytes() const;
 
  private:
   StretchingEnergy(std::span<const double> linear, std::span<const double> quadratic, std::size_t modes,
@@ -70,4 +73,4 @@ class StretchingEnergy {
   Variables products_;
 };
 
-}  // namespace idiophone::resonators
+}  // namespace idiophone::stretching

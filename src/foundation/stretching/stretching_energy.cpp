@@ -1,12 +1,11 @@
-#include "idiophone/instruments/resonators/stretching_energy.hpp"
+#include "idiophone/foundation/stretching/stretching_energy.hpp"
 
 #include <algorithm>
 #include <cstring>
 
-#include "mode_groups.hpp"
 #include "stretching_order.hpp"
 
-namespace idiophone::resonators {
+namespace idiophone::stretching {
 
 StretchingEnergy::Variables::Variables(std::size_t count, std::size_t blocks)
     : values((count + numbers_in_pack - 1) / numbers_in_pack * numbers_in_pack), slopes(values.size()) {
@@ -116,4 +115,9 @@ std::size_t StretchingEnergy::operations() const {
   return 2 * (products_.coefficients.size() + places_.coefficients.size()) * terms_in_block * numbers_in_pack;
 }
 
-}  // namespace idiophone::resonators
+std::size_t StretchingEnergy::bytes() const {
+  const std::size_t blocks = products_.coefficients.size() + places_.coefficients.size();
+  return blocks * (sizeof(Block) + sizeof(std::size_t)) + pairs_.size() * (sizeof(ModePair) + 2 * sizeof(float));
+}
+
+}  // namespace idiophone::stretching

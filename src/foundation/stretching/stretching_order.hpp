@@ -6,9 +6,9 @@
 #include <span>
 #include <vector>
 
-#include "idiophone/instruments/resonators/stretching_energy.hpp"
+#include "idiophone/foundation/stretching/stretching_energy.hpp"
 
-namespace idiophone::resonators {
+namespace idiophone::stretching {
 
 struct StretchingOrder {
   std::vector<std::size_t> terms;
@@ -20,4 +20,4 @@ struct StretchingOrder {
 [[nodiscard]] StretchingOrder stretching_order(std::span<const double> quadratic, std::size_t terms, std::size_t modes,
                                                std::size_t terms_at_once);
 
-}  // namespace idiophone::resonators
+}  // namespace idiophone::stretching

@@ -1,0 +1,1 @@
+idiophone_test(foundation/stretching)
