@@ -8,6 +8,7 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "scripts"))
 from library.ledger import exact, levels, limits, steps, thin, waves
 from library.ledger.ledger import AtMost, Row
+from library.ledger.shallow_shell import ShallowShell, disc, square
 
 STEEL = {"young": 2.0e11, "poisson": 0.3, "density": 7850}
 
@@ -40,6 +41,16 @@ class References(unittest.TestCase):
     def test_a_square_bars_torsion_is_saint_venants(self):
         speed = thin.torsion_speed(STEEL, 0.01, 0.01)
         self.assertAlmostEqual(speed / waves.shear_speed(STEEL), math.sqrt(0.140577 * 6), places=5)
+
+    def test_free_plates_are_leissas(self):
+        for found, root in zip(ShallowShell(square(12), 0, 0.3, 8).frequencies, [13.468, 19.596, 24.271, 34.801, 34.801]):
+            self.assertAlmostEqual(4 * found, root, delta=0.001 * root)
+
+    def test_a_shallow_cap_begins_to_soften_where_touze_and_thomas_say(self):
+        def bend(ratio):  # (radius^2/(radius of curvature * thickness))^2
+            return ShallowShell(disc(16), ratio**0.5 / 2, 0.33, 8).bend_of(2, 20)
+        self.assertGreater(bend(1.92), 0)
+        self.assertLess(bend(1.94), 0)
 
 
 class Arithmetic(unittest.TestCase):
