@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <string>
 
 #include "performance.hpp"
 #include "sheet_map.hpp"
@@ -18,8 +21,8 @@ constexpr double lowest_tone = 200.0;  // Hz
 constexpr double hardening = 1.5e6;    // H of one mode, J^1/2/(kg m2)
 
 /// A sheet with the first modes of sheet_map.hpp, each of which stretches it by itself.
-sound_maps::SoundMap stretched_sheet(std::size_t modes, double decay) {
-  sound_maps::SoundMap map = sound_maps::sheet();
+sound_maps::SoundMap stretched_sheet(std::size_t modes, double decay, const std::string& name = "sheet") {
+  sound_maps::SoundMap map = sound_maps::sheet(name);
   map.frequency.resize(modes);
   map.material_decay.assign(modes, decay);
   map.radiation_decay.assign(modes, 0.0);
@@ -83,6 +86,28 @@ double level_of_difference(const std::vector<double>& one, const std::vector<dou
   return 10.0 * std::log10(power(difference) / power(one));
 }
 
+/// Two sheets, of which a hard blow strikes those that are named, and which touch each other at a corner or do not.
+std::vector<double> sound_of_two(const std::vector<sound_maps::SoundMap>& maps, const std::vector<std::size_t>& struck,
+                                 const std::optional<std::array<std::size_t, 2>>& touching) {
+  score::Score score = one_blow(10.0);
+  const score::ScoreEvent blow = score.events.front();
+  score.events.clear();
+  for (const std::size_t body : struck) {
+    score.events.push_back(blow);
+    score.events.back().body = body;
+  }
+  if (touching) {
+    score.contacts.push_back({.point = {.body = touching->front(), .at = {0.2, 0.2, 0.0}},
+                              .direction = Vector3::UnitZ(),
+                              .other = score::PointOfBody{.body = touching->back(), .at = {0.2, 0.2, 0.0}},
+                              .mass = {},
+                              .gap = {.points = {{.time = 0.0, .value = 1e-7}}},
+                              .elasticity = {.hardness = 1e8, .loss = 0.2}});
+  }
+  Performance performance(maps, score, rate);
+  return rendered(performance, 6000, 512);
+}
+
 }  // namespace
 
 TEST(StretchedVoices, HaveThePitchOfDuffingsEquation) {
@@ -114,6 +139,21 @@ TEST(StretchedVoices, DoNotDependOnBlocks) {
 TEST(StretchedVoices, StayFiniteHoweverStrongTheBlow) {
   const std::vector<double> sound = sound_of(stretched_sheet(20, 4.0), 1e6);
   EXPECT_TRUE(std::ranges::all_of(sound, [](double sample) { return std::isfinite(sample); }));
+}
+
+TEST(StretchedVoices, StrikeEachOther) {
+  const std::vector<sound_maps::SoundMap> maps = {stretched_sheet(20, 4.0), stretched_sheet(20, 4.0, "second")};
+  const std::vector<double> apart = sound_of_two(maps, {0}, {}), touching = sound_of_two(maps, {0}, {{0, 1}});
+  EXPECT_GT(level_of_difference(apart, touching), -10.0);
+  EXPECT_GT(level_of_difference(
+                touching, sound_of_two({without_stretching(maps[0]), without_stretching(maps[1])}, {0}, {{0, 1}})),
+            -10.0);
+}
+
+TEST(StretchedVoices, DoNotTouchWhileTheyMoveTogether) {
+  // The gap between equal points of equal bodies that are struck alike never changes.
+  const std::vector<sound_maps::SoundMap> maps = {stretched_sheet(20, 4.0), stretched_sheet(20, 4.0, "second")};
+  EXPECT_LT(level_of_difference(sound_of_two(maps, {0, 1}, {}), sound_of_two(maps, {0, 1}, {{0, 1}})), -90.0);
 }
 
 TEST(StretchedVoices, AreHeardInFullWhateverTheBudget) {
