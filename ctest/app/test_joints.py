@@ -10,6 +10,10 @@ import program
 
 DECK = program.deck("joined")
 FOAM = ("--set", "materials.foam={young: 1.0e7, poisson: 0.3, density: 300}", "--set", "bodies.right.material=foam")
+HINGE = "--set", ("joints.glue={type: hinge, between: [left.tip, right.clamp], axis: [[0.0603, -0.01, 0], [0.0603, 0.01, 0]], "
+                  "turning: {stiffness: 0.1, damping: 1.0e-3}}")
+SPRING = "--set", ("joints.coil={type: spring, between: [left.clamp, right.clamp], stiffness: {axial: 200, lateral: 100}, "
+                   "at: [0.03, 0, 0], radius: 1, damping: 1.0e-4}")
 SCORE = """
 duration: 0.1
 events:
@@ -37,7 +41,8 @@ class Joints(program.TestCase):
         self.job = program.run("joined", self.output, *modal)
         self.require_status(self.job, program.FINISHED)
         self.assertIn("body right: 84 nodes, 2 hex elements", self.job.stdout)
-        self.assertIn("rigid motion, 12 modes", self.job.stdout, "no further modes for the joint")
+        self.assertIn("rigid motion, 6 modes", self.job.stdout)
+        self.assertIn("6 further modes for its joints", self.job.stdout)
         alone = program.contents(self.output / "joined.h5")
         momentum = alone["motion/left/velocity"] + alone["motion/right/velocity"]
         self.assertLess(abs(momentum - momentum[0]).max(), 1e-9)
@@ -45,6 +50,72 @@ class Joints(program.TestCase):
         self.assertLess(abs(apart / 0.0605 - 1).max(), 0.05)
         self.require_status(program.run("joined", self.output, *modal, ranks=3), program.FINISHED)
         self.require_same(self.output / "joined.h5", alone)
+
+    def test_two_modal_bodies_have_the_same_bits_on_two_ranks_and_through_resume(self):
+        modal = ("--set", "bodies.left.model={type: modal, count: 3}", "--set", "bodies.right.model={type: modal, count: 4}",
+                 "--set", "time.duration=0.0025")
+        self.job = program.run("joined", self.output / "one", *modal)
+        self.require_status(self.job, program.FINISHED)
+        alone = program.contents(self.output / "one" / "joined.h5")
+        self.require_status(program.run("joined", self.output / "two", *modal, ranks=2), program.FINISHED)
+        self.require_same(self.output / "two" / "joined.h5", alone)
+        limit = "--set", "time.wall_clock_limit=1e-6"
+        for ranks in (2, 1, 2, 1, 2, 1, 2, 1):
+            job = program.run("joined", self.output, *modal, *limit, "--resume", ranks=ranks)
+            if job.returncode == program.FINISHED:
+                break
+            self.require_status(job, program.RESUMABLE)
+        self.require_status(job, program.FINISHED)
+        self.require_same(self.output / "joined.h5", alone)
+
+    def test_check_counts_the_states_of_ghosts_beside_modal_bodies(self):
+        for model, bytes_of_ghost in ("{type: finite_elements}", 24), ("{type: modal, count: 6}", 48):
+            setting = "--set", f"bodies.right.model={model}", "--set", "time.duration=0.001"
+            job = program.idiophone("check", DECK, *setting, "-n", 2, "--json")
+            self.require_status(job, program.FINISHED)
+            predicted = json.loads(job.stdout)["prediction"]["largest_part"]
+            self.assertEqual(predicted["halo_bytes"], bytes_of_ghost * predicted["ghost_nodes"])
+            self.require_status(program.run("joined", self.output, *setting, ranks=2), program.FINISHED)
+            job = program.idiophone("info", self.output / "joined.h5", "--json")
+            self.assertEqual(predicted, json.loads(job.stdout)["run"]["jobs"][0]["largest_part"])
+            (self.output / "joined.h5").unlink()
+
+    def test_modes_that_an_assembly_lacks_are_asked_for_at_their_place(self):
+        job = program.run("joined", self.output, "--set", "bodies.left.model={type: modal, count: 1}",
+                          "--set", "bodies.right.model={type: modal, up_to: 1}")
+        self.require_status(job, program.WRONG_DECK)
+        self.assertIn("bodies.right.model", job.stderr)
+        self.assertIn("the assembly of bodies 'left', 'right' has no modes up to 1 Hz", job.stderr)
+
+    def test_a_damped_hinge_and_a_spring_keep_momentum_and_the_same_bits_on_any_ranks(self):
+        self.job = program.run("joined", self.output, *HINGE, *SPRING)
+        self.require_status(self.job, program.FINISHED)
+        self.assertIn("joint glue: a hinge of 0.02 m; stiffness", self.job.stdout)
+        self.assertIn("joint glue: stiffness 0.1 N m/rad against turning", self.job.stdout)
+        self.assertIn("joint coil: a spring of 0.0605 m; stiffness 200 N/m axial, 100 N/m lateral", self.job.stdout)
+        alone = program.contents(self.output / "joined.h5")
+        momentum = alone["motion/left/velocity"] + alone["motion/right/velocity"]
+        self.assertLess(abs(momentum - momentum[0]).max(), 1e-9)
+        energy = alone["energy"]
+        total = energy[:, :4].sum(axis=1) + energy[:, 5]
+        self.assertLess(total[-1], total[0])
+        self.assertLess(total.max(), 1.001 * total[0])
+        self.require_status(program.run("joined", self.output, *HINGE, *SPRING, ranks=3), program.FINISHED)
+        self.require_same(self.output / "joined.h5", alone)
+
+    def test_bodies_on_a_spring_have_modes_and_a_map_of_both_closed_surfaces(self):
+        only = "--set", "joints={coil: {type: spring, between: [left.clamp, right.tip], stiffness: 200}}"
+        job = program.idiophone("modes", DECK, *only, "--modes", 4, "--output-folder", self.output)
+        self.require_status(job, program.FINISHED)
+        self.assertIn("9 rigid motions", job.stdout)
+        job = program.idiophone("map", DECK, *only, *FOAM, "--modes", 4, "--output-folder", self.output)
+        self.require_status(job, program.FINISHED)
+        path, = self.output.glob("*.map.h5")
+        with h5py.File(path) as made:
+            triangles = made["surface/triangles"][()]
+            self.assertEqual(made["modes/frequency"].shape, (4,))
+        edges = numpy.sort(numpy.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]]), axis=1)
+        self.assertTrue((numpy.unique(edges, axis=0, return_counts=True)[1] == 2).all())
 
     def test_modes_are_those_of_both_bodies(self):
         job = program.idiophone("modes", DECK, "--modes", "4", "--output-folder", self.output)

@@ -79,7 +79,12 @@ inline std::string every_key(const std::string& plate, const std::string& surrou
          "  roll: {between: [plate, ball]}\n"
          "  ring: {between: [plate, post]}\n"
          "  drop: {between: [plate, rock]}\n"
-         "joints: {glue: {between: [ply.top, ply.bottom], stiffness: {normal: 1, tangential: 1}}}\n"
+         "joints:\n"
+         "  glue: {between: [ply.top, ply.bottom], stiffness: {normal: 1, tangential: 1}}\n"
+         "  rivet: {type: bolt, between: [ply.top, ply.bottom], at: [0, 0, 0], radius: 1}\n"
+         "  coil: {type: spring, between: [ply.top, ply.bottom], stiffness: {axial: 1, lateral: 0}, at: [0, 0, 0]}\n"
+         "  swing: {type: hinge, between: [ply.top, ply.bottom], axis: [[0, 0, 0], [1, 0, 0]],"
+         " turning: {stiffness: 1}}\n"
          "gauges: {bow: {type: strain, points: [{body: plate, at: [0, 0, 0]}, {body: plate, at: [1, 0, 0]}]}}\n"
          "radiation: {model: kirchhoff, " +
          surroundings + "}\n";
@@ -116,8 +121,13 @@ inline const std::map<std::string, std::string>& every_path() {
       {"obstacles.NAME, shape: surface", "obstacles.rock"},
       {"contacts.NAME", "contacts.bounce"},
       {"contacts.NAME.friction", "contacts.bounce.friction"},
-      {"joints.NAME", "joints.glue"},
+      {"joints.NAME, type: glue", "joints.glue"},
+      {"joints.NAME, type: bolt", "joints.rivet"},
+      {"joints.NAME, type: spring", "joints.coil"},
+      {"joints.NAME, type: hinge", "joints.swing"},
+      {"joints.NAME.turning", "joints.swing.turning"},
       {"joints.NAME.stiffness", "joints.glue.stiffness"},
+      {"joints.NAME.stiffness, type: spring", "joints.coil.stiffness"},
       {"loads.NAME, type: pulse", "loads.tap"},
       {"loads.NAME, type: pluck", "loads.pull"},
       {"loads.NAME, type: wind", "loads.breeze"},

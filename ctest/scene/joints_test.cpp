@@ -33,6 +33,57 @@ TEST_F(Joints, HaveTheStiffnessAndDampingOfAMaterial) {
   EXPECT_EQ(joint.damping, 1e-7);
 }
 
+TEST_F(Joints, AreGlueBoltsSpringsOrHinges) {
+  EXPECT_EQ(read_glue("stiffness: rigid").type, JointType::glue);
+  const Joint bolt = read_glue("type: bolt, at: [0.1, 0.2, 0], radius: 0.01, reach: 0.001");
+  EXPECT_EQ(bolt.type, JointType::bolt);
+  EXPECT_EQ(bolt.place->at, Vector3(0.1, 0.2, 0));
+  EXPECT_EQ(bolt.place->radius, 0.01);
+  EXPECT_EQ(bolt.reach, 0.001);
+  EXPECT_FALSE(bolt.stiffness.has_value());
+  const Joint mount = read_glue("type: spring, stiffness: 500, damping: 1e-3");
+  EXPECT_EQ(mount.type, JointType::spring);
+  EXPECT_EQ(mount.stiffness->normal, 500);
+  EXPECT_EQ(mount.stiffness->tangential, 500);
+  EXPECT_EQ(mount.damping, 1e-3);
+  EXPECT_FALSE(mount.place.has_value());
+  const Joint coil = read_glue("type: spring, stiffness: {axial: 500, lateral: 0}, at: [0.1, 0, 0]");
+  EXPECT_EQ(coil.stiffness->normal, 500);
+  EXPECT_EQ(coil.stiffness->tangential, 0);
+  EXPECT_EQ(coil.place->radius, 0);
+  const Joint pin = read_glue("type: hinge, axis: [[0, 0, 0], [1, 0, 0]], turning: {stiffness: 2, damping: 1e-3}");
+  EXPECT_EQ(pin.type, JointType::hinge);
+  EXPECT_EQ(pin.axis.end, Vector3(1, 0, 0));
+  EXPECT_FALSE(pin.stiffness.has_value());
+  EXPECT_EQ(pin.turning->stiffness, 2);
+  EXPECT_EQ(pin.turning->damping, 1e-3);
+  EXPECT_EQ(read_glue("type: hinge, axis: [[0, 0, 0], [1, 0, 0]], stiffness: 1e6").stiffness->tangential, 1e6);
+}
+
+TEST_F(Joints, AnswerMistakesOfTheirTypes) {
+  expect_after({
+      {glue("type: nail"), "deck.yaml:11:59: joints.glue.type: must be one of glue, bolt, spring, hinge, found 'nail'"},
+      {glue("type: bolt, at: [0, 0, 0]"), "deck.yaml:11:16: joints.glue: the key 'radius' is missing"},
+      {glue("type: bolt, at: [0, 0, 0], radius: 1, preload: 100"),
+       "deck.yaml:11:91: joints.glue.preload: a bolt ties what lies under its washer, whatever presses it together, so "
+       "a preload would change nothing: leave it out; for a joint that gives way, give a stiffness"},
+      {glue("type: spring, stiffness: rigid"),
+       "deck.yaml:11:78: joints.glue.stiffness: expected a number (N/m), found 'rigid'"},
+      {glue("type: spring, stiffness: {axial: 0, lateral: 0}"),
+       "deck.yaml:11:78: joints.glue.stiffness: axial and lateral are both zero: a spring needs a stiffness (N/m)"},
+      {glue("type: spring, stiffness: 1, radius: 1"),
+       "deck.yaml:11:81: joints.glue.radius: has no meaning without at: a spring without a place holds the whole "
+       "surfaces"},
+      {glue("type: hinge"), "deck.yaml:11:16: joints.glue: the key 'axis' is missing"},
+      {glue("type: hinge, axis: [0, 0, 1]"),
+       "deck.yaml:11:72: joints.glue.axis: expected a list of 2 points, [[x, y, z], [x, y, z]], found a list of 3"},
+      {glue("type: hinge, axis: [[0, 0, 1], [0, 0, 1]]"),
+       "deck.yaml:11:72: joints.glue.axis: its two points are the same; a hinge turns about the line between them"},
+      {glue("type: hinge, axis: [[0, 0, 0], [0, 0, 1]], turning: {damping: 1}"),
+       "deck.yaml:11:105: joints.glue.turning: the key 'stiffness' is missing"},
+  });
+}
+
 TEST_F(Joints, AnswerMistakes) {
   expect_after({
       {"joints: {glue: {stiffness: rigid}}\n", "deck.yaml:11:16: joints.glue: the key 'between' is missing"},

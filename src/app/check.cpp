@@ -167,7 +167,7 @@ int check(const CheckOptions& options) {
   const advice::StepMeasurement measured = advice::measure_steps(ready, program, MPI_COMM_WORLD);
   std::optional<advice::RankPrediction> prediction;  // before the rehearsal, which needs memory of its own
   if (options.prediction.ranks) {
-    prediction = advice::predict_ranks(meshes, *options.prediction.ranks, measured.step, ready.steps_per_read,
+    prediction = advice::predict_ranks(ready, meshes, *options.prediction.ranks, measured.step,
                                        network_of(options.prediction), measured.memory);
   }
   const std::optional<waves::Plan> waves = plan_of_waves(ready);

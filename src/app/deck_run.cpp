@@ -106,7 +106,7 @@ class SceneRecorder : public record::Recorder {
 
 nlohmann::json largest_part_facts(const bodies::Preparation& ready, MPI_Comm communicator) {
   nlohmann::json facts;
-  facts["largest_part"] = loop::part_facts(loop::largest_part(ready.part, communicator));
+  facts["largest_part"] = loop::part_facts(loop::largest_part(ready.part, communicator), motion::halo_of(ready.scene));
   return facts;
 }
 

@@ -5,12 +5,12 @@
 #include "idiophone/foundation/each_once.hpp"
 #include "idiophone/scene/ranges.hpp"
 #include "idiophone/scene/sections.hpp"
+#include "joint_keys.hpp"
 
 namespace idiophone::scene {
 
 namespace {
 
-constexpr Range layer_stiffness{.above = 0.0, .at_most = 1e18, .unit = "Pa/m"};
 constexpr const char* kinds = "stiffness: {normal, tangential}, stiffness: rigid, or material and thickness";
 
 }  // namespace
@@ -44,27 +44,11 @@ static bool read(const Node& node, Mistakes& mistakes, std::array<JoinedSurface,
   return true;
 }
 
-/// The word rigid, or {normal, tangential}.
-static bool read(const Node& node, Mistakes& mistakes, std::optional<LayerStiffness>& stiffness) {
-  if (node.kind == Node::Kind::scalar && node.text == "rigid") {
-    return true;
-  }
-  if (node.kind != Node::Kind::map) {
-    return mistakes.add(node, "expected rigid or {normal, tangential}, found " + describe(node));
-  }
-  LayerStiffness given;
-  Section section(node, mistakes);
-  section.required("normal", given.normal, layer_stiffness);
-  section.required("tangential", given.tangential, layer_stiffness);
-  stiffness = given;
-  return section.finish();
-}
-
 namespace {
 
 /// A layer so thin that the bodies keep it from changing its width: E (1 - nu)/((1 + nu)(1 - 2 nu)) and G over its
 /// thickness.
-LayerStiffness stiffness_of(const Material& material, double thickness) {
+JointStiffness stiffness_of(const Material& material, double thickness) {
   const double nu = material.poisson;
   const double shear = material.young / (2 * (1 + nu));
   return {2 * shear * (1 - nu) / (1 - 2 * nu) / thickness, shear / thickness};
@@ -93,7 +77,7 @@ void read_material(Section& section, Joint& joint, const std::vector<Material>& 
   joint.damping = material.damping.stiffness;
 }
 
-void read_stiffness(Section& section, Joint& joint, const std::vector<Material>& materials) {
+void read_glue(Section& section, Joint& joint, const std::vector<Material>& materials) {
   const bool has_material = section.find("material") != nullptr || section.find("thickness") != nullptr;
   const bool has_stiffness = section.find("stiffness") != nullptr;
   if (has_material && has_stiffness) {
@@ -101,9 +85,27 @@ void read_stiffness(Section& section, Joint& joint, const std::vector<Material>&
   } else if (has_material) {
     read_material(section, joint, materials);
   } else if (has_stiffness) {
-    read(*section.find("stiffness"), section.mistakes(), joint.stiffness);
+    read_layer_stiffness(section, joint.stiffness);
   } else {
     section.mistakes().add(section.node(), fmt::format("needs {}", kinds));
+  }
+  section.optional("reach", joint.reach, Range{.above = 0.0, .at_most = farthest_coordinate, .unit = "m"});
+}
+
+void read_type(Section& section, Joint& joint, const std::vector<Material>& materials) {
+  switch (joint.type) {
+    case JointType::glue:
+      read_glue(section, joint, materials);
+      break;
+    case JointType::bolt:
+      read_bolt(section, joint);
+      break;
+    case JointType::spring:
+      read_spring(section, joint);
+      break;
+    case JointType::hinge:
+      read_hinge(section, joint);
+      break;
   }
 }
 
@@ -113,10 +115,16 @@ static bool read(const Node& node, Mistakes& mistakes, Joint& joint, const Scene
   joint.where = node.key_where;
   const std::size_t before = mistakes.count();
   Section section(node, mistakes);
+  const Choices<JointType> types{{{"glue", JointType::glue},
+                                  {"bolt", JointType::bolt},
+                                  {"spring", JointType::spring},
+                                  {"hinge", JointType::hinge}}};
+  if (!section.optional("type", joint.type, types)) {
+    return false;  // the other keys depend on it
+  }
   section.required("between", joint.surfaces, names_of(so_far.bodies));
-  read_stiffness(section, joint, so_far.materials);
-  section.optional("damping", joint.damping, Range{.at_least = 0.0, .at_most = 1e3, .unit = "s"});
-  section.optional("reach", joint.reach, Range{.above = 0.0, .at_most = farthest_coordinate, .unit = "m"});
+  read_type(section, joint, so_far.materials);
+  section.optional("damping", joint.damping, joint_damping);
   return section.finish() && mistakes.count() == before;
 }
 

@@ -22,7 +22,7 @@ struct Assembly {
   }
 
   /// The first body to the second one.
-  void join(const std::string& first, const std::string& second, std::optional<scene::LayerStiffness> stiffness,
+  void join(const std::string& first, const std::string& second, std::optional<scene::JointStiffness> stiffness,
             double damping = 0.0) {
     scene::Joint& joint = scene.joints.emplace_back();
     joint.name = "joint";

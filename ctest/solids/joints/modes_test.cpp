@@ -34,7 +34,7 @@ mesh::Mesh strip() {
 }
 
 /// Two strips, one upon the other.
-Assembly two_strips(const scene::LayerStiffness& layer, double damping = 0.0) {
+Assembly two_strips(const scene::JointStiffness& layer, double damping = 0.0) {
   Assembly strips;
   strips.add(strip(), Vector3::Zero());
   strips.add(strip(), {0, 0, height});

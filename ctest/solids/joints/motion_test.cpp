@@ -16,9 +16,37 @@
 namespace idiophone::motion {
 namespace {
 
-/// Two blocks of rubber that fly, tumble and vibrate, glued at their ends by a layer of 1 mm; meshes that do not match.
-struct GluedBlocks {
-  explicit GluedBlocks(const scene::LayerStiffness& layer, double damping = 0.0) {
+scene::Joint glue(const scene::JointStiffness& layer, double damping = 0.0) {
+  scene::Joint joint;
+  joint.stiffness = layer;
+  joint.damping = damping;
+  return joint;
+}
+
+constexpr scene::JointStiffness soft = {3e7, 1e7};     // the blocks limit the step
+constexpr scene::JointStiffness stiff = {3e10, 1e10};  // the joint limits it
+
+scene::Joint spring() {
+  scene::Joint joint;
+  joint.type = scene::JointType::spring;
+  joint.stiffness = {2000, 1000};  // N/m
+  return joint;
+}
+
+/// It turns about a line across both blocks.
+/// @param stiffness  none: rigid
+scene::Joint door(std::optional<scene::JointStiffness> stiffness, double damping = 0.0) {
+  scene::Joint joint;
+  joint.type = scene::JointType::hinge;
+  joint.axis = {{0.1005, 0.005, 0.01}, {0.1005, 0.025, 0.01}};
+  joint.stiffness = stiffness;
+  joint.turning = scene::HingeTurning{0.5, damping};
+  return joint;
+}
+
+/// Two blocks of rubber that fly, tumble and vibrate, joined at their ends, 1 mm apart; meshes that do not match.
+struct JoinedBlocks {
+  explicit JoinedBlocks(scene::Joint joint) {
     meshes.push_back(support::block_mesh(element::tet10, {0.1, 0.03, 0.02}, {2, 2, 1}));
     meshes.push_back(support::block_mesh(element::hex(2, 2), {0.1, 0.03, 0.02}, {2, 1, 1}));
     for (Vector3& node : meshes[1].nodes) {
@@ -30,10 +58,8 @@ struct GluedBlocks {
       body.velocity = {1, 2, 3};
       body.spin = {10, 20, 30};  // each about its own centre: the joint has to pull them along
     }
-    scene::Joint& joint = scene.joints.emplace_back();
     joint.surfaces = {scene::JoinedSurface{0, "x1", {}}, scene::JoinedSurface{1, "x0", {}}};
-    joint.stiffness = layer;
-    joint.damping = damping;
+    scene.joints = {joint};
     attachments = attach(scene, meshes);
     part = mesh::distribute(meshes, MPI_COMM_SELF);
   }
@@ -83,10 +109,7 @@ struct GluedBlocks {
   std::unique_ptr<Motion> motion;
 };
 
-constexpr scene::LayerStiffness soft = {3e7, 1e7};     // the blocks limit the step
-constexpr scene::LayerStiffness stiff = {3e10, 1e10};  // the joint limits it
-
-double stable_step_of(const GluedBlocks& blocks) {
+double stable_step_of(const JoinedBlocks& blocks) {
   const FiniteElementDynamics dynamics(blocks.scene, blocks.part, blocks.attachments);
   double step = 1.0;
   for (const StableStep& body : find_stable_steps(blocks.part, dynamics)) {
@@ -96,8 +119,8 @@ double stable_step_of(const GluedBlocks& blocks) {
 }
 
 /// The largest change of the energy in 0.05 s, in parts of it; infinity where the motion is not finite.
-double largest_drift(const scene::LayerStiffness& layer, double step) {
-  GluedBlocks blocks(layer);
+double largest_drift(const scene::Joint& joint, double step) {
+  JoinedBlocks blocks(joint);
   blocks.begin(step);
   const double before = blocks.energy();
   double largest = 0.0;
@@ -114,44 +137,57 @@ double largest_drift(const scene::LayerStiffness& layer, double step) {
 ON_RANKS(1);
 
 TEST(JoinedMotion, KeepsMomentumAndAngularMomentum) {
-  GluedBlocks blocks(soft);
-  blocks.begin(0.9 * stable_step_of(blocks));
-  const GluedBlocks::Momenta before = blocks.momenta();
-  for (int step = 0; step < 1000; ++step) {
-    blocks.motion->advance();
+  // The damping of a door, too, although it turns far.
+  for (const scene::Joint& joint : {glue(soft), spring(), door({{2000, 2000}}, 1e-3)}) {
+    JoinedBlocks blocks(joint);
+    blocks.begin(0.9 * stable_step_of(blocks));
+    const JoinedBlocks::Momenta before = blocks.momenta();
+    for (int step = 0; step < 1000; ++step) {
+      blocks.motion->advance();
+    }
+    const JoinedBlocks::Momenta after = blocks.momenta();
+    EXPECT_LT((after.linear - before.linear).norm(), 1e-12 * before.linear.norm());
+    EXPECT_LT((after.angular - before.angular).norm(), 1e-10 * before.angular.norm());
   }
-  const GluedBlocks::Momenta after = blocks.momenta();
-  EXPECT_LT((after.linear - before.linear).norm(), 1e-12 * before.linear.norm());
-  EXPECT_LT((after.angular - before.angular).norm(), 1e-10 * before.angular.norm());
 }
 
 TEST(JoinedMotion, KeepsItsEnergyToSecondOrderOfTheStep) {
-  GluedBlocks blocks(soft);
-  const double step = 0.5 * stable_step_of(blocks);
-  const double coarse = largest_drift(soft, step);
-  const double fine = largest_drift(soft, step / 2);
-  EXPECT_LT(coarse, 1e-2);
-  EXPECT_NEAR(coarse / fine, 4, 1);
+  for (const scene::Joint& joint : {glue(soft), spring(), door({{2000, 2000}})}) {
+    JoinedBlocks blocks(joint);
+    const double step = 0.5 * stable_step_of(blocks);
+    const double coarse = largest_drift(joint, step);
+    const double fine = largest_drift(joint, step / 2);
+    EXPECT_LT(coarse, 1e-2);
+    EXPECT_NEAR(coarse / fine, 4, 1);
+  }
 }
 
 TEST(JoinedMotion, IsStableUpToTheStepThatIsPredicted) {
-  const double step = stable_step_of(GluedBlocks(stiff));
-  EXPECT_LT(step, 0.2 * stable_step_of(GluedBlocks(soft)));
-  EXPECT_LT(largest_drift(stiff, 0.98 * step), 0.1);
-  EXPECT_GT(largest_drift(stiff, 2.0 * step), 0.1);  // nor is it much too short
+  const double step = stable_step_of(JoinedBlocks(glue(stiff)));
+  EXPECT_LT(step, 0.2 * stable_step_of(JoinedBlocks(glue(soft))));
+  EXPECT_LT(largest_drift(glue(stiff), 0.98 * step), 0.1);
+  EXPECT_GT(largest_drift(glue(stiff), 2.0 * step), 0.1);  // nor is it much too short
+}
+
+TEST(JoinedMotion, IsStableWithARigidHinge) {
+  const scene::Joint hinge = door(std::nullopt);
+  const double step = stable_step_of(JoinedBlocks(hinge));
+  EXPECT_LT(largest_drift(hinge, 0.98 * step), 0.1);
 }
 
 TEST(JoinedMotion, LosesEnergyByDamping) {
-  GluedBlocks blocks(soft, 1e-4);
-  blocks.begin(0.5 * stable_step_of(blocks));
-  double before = blocks.energy();
-  for (int n = 0; n < 20; ++n) {
-    for (int step = 0; step < 50; ++step) {
-      blocks.motion->advance();
+  for (const scene::Joint& joint : {glue(soft, 1e-4), door({{2000, 2000}}, 1e-3)}) {
+    JoinedBlocks blocks(joint);
+    blocks.begin(0.5 * stable_step_of(blocks));
+    double before = blocks.energy();
+    for (int n = 0; n < 20; ++n) {
+      for (int step = 0; step < 50; ++step) {
+        blocks.motion->advance();
+      }
+      const double now = blocks.energy();
+      EXPECT_LT(now, before * (1 + 1e-4));
+      before = now;
     }
-    const double now = blocks.energy();
-    EXPECT_LT(now, before * (1 + 1e-4));
-    before = now;
   }
 }
 

@@ -70,7 +70,7 @@ bool read_contacts(Section& deck, Scene& scene);
 /// already.
 bool read_loads(const Node& node, Mistakes& mistakes, Scene& scene);
 
-/// joints: {NAME: {between, stiffness or material and thickness, damping, reach}}; the scene's bodies, materials and
+/// joints: {NAME: {type, between, damping, and what the type needs}}; the scene's bodies, materials and
 /// loads must be there already.
 bool read_joints(Section& deck, Scene& scene);
 

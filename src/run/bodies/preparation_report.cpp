@@ -16,8 +16,12 @@ namespace {
 
 void report_modes(const modal_bodies::ModalBasis& basis) {
   constexpr double turn = 2 * std::numbers::pi;
-  spdlog::info("  {}, {} modes from {:.5g} to {:.5g} Hz", basis.is_free ? "rigid motion" : "held", basis.modes(),
-               basis.frequencies.front() / turn, basis.frequencies.back() / turn);
+  const std::size_t own = basis.modes() - basis.further;
+  spdlog::info("  {}, {} modes from {:.5g} to {:.5g} Hz", basis.is_free ? "rigid motion" : "held", own,
+               basis.frequencies.front() / turn, basis.frequencies[own - 1] / turn);
+  if (basis.further > 0) {
+    spdlog::info("  {} further modes for its joints, up to {:.5g} Hz", basis.further, basis.frequencies.back() / turn);
+  }
   if (basis.stretching.exists()) {
     spdlog::info("  large amplitudes: {} strains, {:.3g} MB of coefficients", basis.stretching.terms(),
                  static_cast<double>(basis.stretching.quadratic.size() * sizeof(double)) / 1e6);
@@ -33,6 +37,29 @@ void report_prestress(const scene::Body& body, double density) {
   if (stresses[2] > 0) {
     spdlog::info("  transverse waves along the largest travel at {:.5g} m/s without stiffness",
                  std::sqrt(stresses[2] / density));
+  }
+}
+
+void report_joint(const scene::Joint& joint, const joints::MeshedJoint& meshed) {
+  switch (joint.type) {
+    case scene::JointType::glue:
+    case scene::JointType::bolt:
+      spdlog::info(
+          "joint {}: {:.4g} m2 joined, at most {:.3g} m apart; stiffness {:.4g} Pa/m normal, {:.4g} Pa/m tangential",
+          joint.name, meshed.area(), meshed.largest_distance(), meshed.normal, meshed.tangential);
+      break;
+    case scene::JointType::spring:
+      spdlog::info("joint {}: a spring of {:.4g} m; stiffness {:.4g} N/m axial, {:.4g} N/m lateral", joint.name,
+                   meshed.largest_distance(), meshed.normal, meshed.tangential);
+      break;
+    case scene::JointType::hinge:
+      if (meshed.resists_turning) {
+        spdlog::info("joint {}: stiffness {:.4g} N m/rad against turning", joint.name, meshed.normal);
+        break;
+      }
+      spdlog::info("joint {}: a hinge of {:.4g} m; stiffness {:.4g} N/m at each end", joint.name,
+                   (joint.axis.end - joint.axis.begin).norm(), meshed.normal);
+      break;
   }
 }
 
@@ -91,11 +118,8 @@ void report(const Preparation& ready) {
     spdlog::info("contact {}: stiffness {:.4g} Pa/m", ready.scene.contacts[c].name,
                  ready.contact_surfaces.stiffness[c]);
   }
-  for (std::size_t j = 0; j < ready.scene.joints.size(); ++j) {
-    const joints::MeshedJoint& joint = ready.attachments.joints[j];
-    spdlog::info(
-        "joint {}: {:.4g} m2 joined, at most {:.3g} m apart; stiffness {:.4g} Pa/m normal, {:.4g} Pa/m tangential",
-        ready.scene.joints[j].name, joint.area(), joint.largest_distance(), joint.normal, joint.tangential);
+  for (const joints::MeshedJoint& joint : ready.attachments.joints) {
+    report_joint(ready.scene.joints[joint.joint], joint);
   }
   if (ready.scene.radiation.grid.back) {
     spdlog::info("air acts on the bodies: their lightest surface, {:.3g} kg/m2, lowers the largest step to {:.4g} s",

@@ -165,14 +165,14 @@ nlohmann::json listening_facts(const surface::RecordingHeader& recording, const 
   return facts;
 }
 
-nlohmann::json part_facts(const mesh::PartSize& largest) {
+nlohmann::json part_facts(const mesh::PartSize& largest, motion::Halo halo) {
   return {{"elements", largest.elements},
           {"ghost_elements", largest.ghost_elements},
           {"nodes", largest.nodes},
           {"ghost_nodes", largest.ghost_nodes},
           {"triangles", largest.triangles},
           {"neighbours", largest.neighbours},
-          {"halo_bytes", motion::halo_bytes(largest)}};
+          {"halo_bytes", motion::halo_bytes(largest, halo)}};
 }
 
 mesh::PartSize largest_part(const mesh::Part& part, MPI_Comm communicator) {

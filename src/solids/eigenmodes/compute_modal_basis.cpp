@@ -100,6 +100,7 @@ modal_bodies::ModalBasis modal_basis(const scene::Solids& solids, std::size_t bo
   }
   check(found, solids.bodies[body], model.where);
   const Operators operators(alone, part, attachments, MassMatrix::lumped, MPI_COMM_SELF);
+  const std::size_t own = found.modes.size();
   if (joined != nullptr) {
     const auto rigid = rigid_motions(part, operators, MPI_COMM_SELF);
     for (Eigenpair& pair : joined_shapes(operators, found, rigid, *joined)) {
@@ -107,6 +108,7 @@ modal_bodies::ModalBasis modal_basis(const scene::Solids& solids, std::size_t bo
     }
   }
   modal_bodies::ModalBasis basis = basis_of(found, operators.dynamics());
+  basis.further = found.modes.size() - own;
   basis.mass_damping = solids.materials[unsupported.material].damping.of_all_motion();
   double mass = 0.0;
   for (const double share : basis.masses) {

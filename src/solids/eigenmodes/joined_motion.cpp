@@ -29,6 +29,14 @@ Options wanted_modes(std::span<const scene::Body> assembly) {
   return options;
 }
 
+/// The model that asks for the highest modes: where an error is that the assembly lacks them.
+const scene::ModalModel& most_demanding(std::span<const scene::Body> assembly) {
+  const auto demand = [](const scene::Body& body) {
+    return body.modal ? std::pair(body.modal->up_to.value_or(0.0), body.modal->count.value_or(0)) : std::pair(-1.0, 0);
+  };
+  return *std::ranges::max_element(assembly, {}, demand)->modal;
+}
+
 /// @param bodies  numbers of the assembly's bodies
 void add_motions(const scene::Solids& solids, const std::vector<std::size_t>& bodies,
                  const std::vector<mesh::Mesh>& meshes, std::map<std::size_t, JoinedMotion>& motions) {
@@ -46,8 +54,7 @@ void add_motions(const scene::Solids& solids, const std::vector<std::size_t>& bo
   try {
     found = find_modes(assembly, part, attachments, wanted_modes(assembly.bodies), MPI_COMM_SELF);
   } catch (const std::runtime_error& error) {
-    throw deck::DeckError(solids.bodies[*modal].modal->where,
-                          std::string("with all that joints tie to the body: ") + error.what());
+    throw deck::DeckError(most_demanding(assembly.bodies).where, error.what());
   }
   std::vector<double> springs(part.node_ids.size()), dashpots(springs.size());
   joints::Joints(attachments.joints, part).add_bounds(springs, dashpots);

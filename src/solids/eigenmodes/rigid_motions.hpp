@@ -1,5 +1,5 @@
 #pragma once
-// Motions of a body without strain that its constraints and supports allow.
+// Motions of bodies without strain that their constraints, supports and joints allow.
 
 #include <mpi.h>
 
@@ -12,9 +12,9 @@ namespace idiophone::eigenmodes {
 /// What can resist rigid motion.
 enum class Resistance { groups_and_supports, groups };
 
-/// Translations and small rotations that no fixed or driven group and no support resists: none where the body is
-/// held, 1 about a hinge, 6 where it is free. [motions][3 x owned nodes], linearly independent, without unit.
-/// Collective.
+/// Translations and small rotations of each body that no fixed or driven group, no support and no joint resists: none
+/// where the body is held, 1 about a hinge, 6 where it is free, 7 of two free bodies with a hinge between them.
+/// [motions][3 x owned nodes], linearly independent, without unit. Collective.
 /// @param resistance  of groups alone: supports are left out
 [[nodiscard]] std::vector<std::vector<double>> rigid_motions(const mesh::Part& part, const Operators& operators,
                                                              MPI_Comm communicator,

@@ -53,6 +53,9 @@ std::vector<char> covered_triangles(const scene::Solids& solids, const std::vect
   const std::vector<Index> first_triangle = mesh::offsets(meshes).triangles;
   std::vector<char> covered(first_triangle.back());
   for (const scene::Joint& joint : solids.joints) {
+    if (!joint.is_layer()) {
+      continue;
+    }
     const auto& [one, other] = joint.surfaces;
     const Faces of_one = faces_of(one, joint.name, meshes[one.body], 0);
     const Faces of_other = faces_of(other, joint.name, meshes[other.body], 0);

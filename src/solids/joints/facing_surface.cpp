@@ -11,17 +11,23 @@
 
 namespace idiophone::joints {
 
-Faces faces_of(const scene::JoinedSurface& surface, const std::string& joint, const mesh::Mesh& mesh,
-               Index first_node) {
-  Faces faces;
-  for (const mesh::ElementFace& face : mesh::outer_faces(mesh, surface.group, surface.where)) {
-    faces.emplace_back(mesh, face, first_node);
-  }
+std::vector<mesh::ElementFace> element_faces_of(const scene::JoinedSurface& surface, const std::string& joint,
+                                                const mesh::Mesh& mesh) {
+  std::vector<mesh::ElementFace> faces = mesh::outer_faces(mesh, surface.group, surface.where);
   if (faces.empty()) {
     throw deck::DeckError(surface.where,
                           fmt::format("joints.{}: the group '{}' has no faces on the outside of the body: name a "
                                       "Physical Surface of gmsh",
                                       joint, surface.group));
+  }
+  return faces;
+}
+
+Faces faces_of(const scene::JoinedSurface& surface, const std::string& joint, const mesh::Mesh& mesh,
+               Index first_node) {
+  Faces faces;
+  for (const mesh::ElementFace& face : element_faces_of(surface, joint, mesh)) {
+    faces.emplace_back(mesh, face, first_node);
   }
   return faces;
 }

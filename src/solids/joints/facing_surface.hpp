@@ -12,10 +12,14 @@ namespace idiophone::joints {
 
 using Faces = std::vector<SurfaceFace>;
 
-/// The faces of a surface that a joint holds.
-/// @param joint       its name, for messages
-/// @param first_node  global number of the first node of the mesh
+/// The faces of a surface that a joint names.
+/// @param joint  its name, for messages
 /// @throws deck::DeckError where the group has no face on the outside of the body
+[[nodiscard]] std::vector<mesh::ElementFace> element_faces_of(const scene::JoinedSurface& surface,
+                                                              const std::string& joint, const mesh::Mesh& mesh);
+
+/// The same as curved faces.
+/// @param first_node  global number of the first node of the mesh
 [[nodiscard]] Faces faces_of(const scene::JoinedSurface& surface, const std::string& joint, const mesh::Mesh& mesh,
                              Index first_node);
 

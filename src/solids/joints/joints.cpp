@@ -5,6 +5,7 @@
 #include "idiophone/foundation/each_once.hpp"
 #include "idiophone/solids/mesh/local_numbers.hpp"
 #include "joint_stretch.hpp"
+#include "turning.hpp"
 
 namespace idiophone::joints {
 
@@ -16,8 +17,13 @@ namespace {
 /// The points that have an owned node.
 MeshedJoint local_joint(const MeshedJoint& joint, const mesh::Part& part) {
   const mesh::LocalNumbers numbers(part);
-  MeshedJoint local{
-      .normal = joint.normal, .tangential = joint.tangential, .damping = joint.damping, .points = {}, .weights = {}};
+  MeshedJoint local{.joint = joint.joint,
+                    .resists_turning = joint.resists_turning,
+                    .normal = joint.normal,
+                    .tangential = joint.tangential,
+                    .damping = joint.damping,
+                    .points = {},
+                    .weights = {}};
   for (const JointPoint& point : joint.points) {
     const auto weights = joint.weights_of(point);
     if (std::ranges::none_of(weights, [&](const NodeWeight& weight) { return numbers.owns(weight.node); })) {
@@ -38,6 +44,17 @@ MeshedJoint local_joint(const MeshedJoint& joint, const mesh::Part& part) {
   return local;
 }
 
+/// Calls visit() with what happens at a point: Stretch or Turning.
+template <class Visitor>
+void visit_point(const MeshedJoint& joint, const JointPoint& point, std::span<const Vector3> reference,
+                 std::span<const NodeState> state, const Visitor& visit) {
+  if (joint.resists_turning) {
+    visit(Turning(joint, point, reference, state));
+  } else {
+    visit(Stretch(joint, point, reference, state));
+  }
+}
+
 }  // namespace
 
 Joints::Joints(std::span<const MeshedJoint> joints, const mesh::Part& part) : part_(part) {
@@ -49,10 +66,12 @@ Joints::Joints(std::span<const MeshedJoint> joints, const mesh::Part& part) : pa
 void Joints::add_force(std::span<const NodeState> state, std::span<NodeForce> force) const {
   for (const MeshedJoint& joint : joints_) {
     for (const JointPoint& point : joint.points) {
-      Stretch(joint, point, part_.reference, state).for_each_force([&](Index node, const Vector3& at_node) {
-        for (int i = 0; i < 3; ++i) {
-          force[node].component[i] += at_node[i];
-        }
+      visit_point(joint, point, part_.reference, state, [&](const auto& what) {
+        what.for_each_force([&](Index node, const Vector3& at_node) {
+          for (int i = 0; i < 3; ++i) {
+            force[node].component[i] += at_node[i];
+          }
+        });
       });
     }
   }
@@ -62,7 +81,7 @@ void Joints::add_energy(std::span<const NodeState> state, ReproducibleSum& energ
   for (const MeshedJoint& joint : joints_) {
     for (const JointPoint& point : joint.points) {
       if (joint.weights[point.first_begin].node < part_.owned_nodes) {
-        energy.add(Stretch(joint, point, part_.reference, state).energy());
+        visit_point(joint, point, part_.reference, state, [&](const auto& what) { energy.add(what.energy()); });
       }
     }
   }
@@ -70,10 +89,12 @@ void Joints::add_energy(std::span<const NodeState> state, ReproducibleSum& energ
 
 void Joints::for_each_stiffness(std::size_t joint, const Visitor& visit) const {
   std::vector<Index> nodes;
-  for (const JointPoint& point : joints_[joint].points) {
+  const MeshedJoint& meshed = joints_[joint];
+  for (const JointPoint& point : meshed.points) {
     nodes.clear();
-    std::ranges::transform(joints_[joint].weights_of(point), std::back_inserter(nodes), &NodeWeight::node);
-    visit(nodes, undeformed_stiffness(joints_[joint], point, part_.reference));
+    std::ranges::transform(meshed.weights_of(point), std::back_inserter(nodes), &NodeWeight::node);
+    visit(nodes, meshed.resists_turning ? stiffness_against_turning(meshed, point, part_.reference)
+                                        : undeformed_stiffness(meshed, point, part_.reference));
   }
 }
 

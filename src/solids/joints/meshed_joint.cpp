@@ -23,6 +23,8 @@ double MeshedJoint::largest_distance() const {
 std::vector<MeshedJoint> broadcast(std::vector<MeshedJoint> joints, MPI_Comm communicator) {
   joints.resize(parallel::from_root(joints.size(), communicator));
   for (MeshedJoint& joint : joints) {
+    parallel::broadcast(joint.joint, communicator);
+    parallel::broadcast(joint.resists_turning, communicator);
     for (double* number : {&joint.normal, &joint.tangential, &joint.damping}) {
       parallel::broadcast(*number, communicator);
     }
@@ -38,7 +40,7 @@ std::vector<std::vector<Index>> coupled_nodes(std::span<const MeshedJoint> joint
     for (const JointPoint& point : joint.points) {
       auto& nodes = coupled.emplace_back();
       std::ranges::transform(joint.weights_of(point), std::back_inserter(nodes), &NodeWeight::node);
-      std::ranges::sort(nodes);
+      keep_each_once(nodes);
     }
   }
   keep_each_once(coupled);

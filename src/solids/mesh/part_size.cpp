@@ -37,8 +37,9 @@ PartSize largest(const PartSize& a, const PartSize& b) {
           .work = std::max(a.work, b.work)};
 }
 
-void for_each_part(const std::vector<Mesh>& meshes, int ranks, const std::function<void(const Part&)>& visit) {
-  PartBuilder builder(meshes, node_owners(meshes, ranks), {});
+void for_each_part(const std::vector<Mesh>& meshes, int ranks, const std::function<void(const Part&)>& visit,
+                   std::span<const std::vector<Index>> coupled) {
+  PartBuilder builder(meshes, node_owners(meshes, ranks), coupled);
   for (int rank = 0; rank < ranks; ++rank) {
     visit(builder.build(rank));
   }

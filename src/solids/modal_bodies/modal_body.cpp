@@ -28,7 +28,8 @@ ModalBody::ModalBody(std::string name, const Vector3& gravity, const mesh::Part&
       nodes_(basis.nodes()),
       modes_(basis.modes()),
       coordinates_(basis),
-      highest_frequency_(residual_frequency(basis)) {
+      highest_frequency_(basis.further == 0 ? residual_frequency(basis)
+                                            : std::max(residual_frequency(basis), basis.frequencies.back())) {
   if (body_.owned_begin == body_.owned_end) {
     return;
   }

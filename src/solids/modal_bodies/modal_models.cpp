@@ -19,6 +19,7 @@ namespace {
 
 void broadcast(ModalBasis& basis, MPI_Comm communicator) {
   parallel::broadcast(basis.is_free, communicator);
+  parallel::broadcast(basis.further, communicator);
   Stretching& stretching = basis.stretching;
   for (auto* values : {&basis.frequencies, &basis.decay_rates, &basis.shapes, &basis.masses, &basis.residual,
                        &stretching.linear, &stretching.quadratic, &stretching.rotation}) {

@@ -36,8 +36,17 @@ double work_without_ghosts(const mesh::Part& part) {
   return work;
 }
 
-double halo_bytes(const mesh::PartSize& size) {
-  return static_cast<double>(size.ghost_nodes) * sizeof(Velocity);
+Halo halo_of(const scene::Solids& solids) {
+  const bool joins_modal_body = std::ranges::any_of(solids.joints, [&](const scene::Joint& joint) {
+    return std::ranges::any_of(joint.surfaces, [&](const scene::JoinedSurface& surface) {
+      return solids.bodies[surface.body].modal.has_value();
+    });
+  });
+  return joins_modal_body ? Halo::states : Halo::velocities;
+}
+
+double halo_bytes(const mesh::PartSize& size, Halo halo) {
+  return static_cast<double>(size.ghost_nodes) * (halo == Halo::states ? sizeof(solid::NodeState) : sizeof(Velocity));
 }
 
 }  // namespace idiophone::motion

@@ -16,20 +16,11 @@ bool is_one_machine(MPI_Comm communicator) {
   return parallel::size_of(parallel::RanksOfMachine(communicator).get()) == parallel::size_of(communicator);
 }
 
-/// Whether a node of a modal body can be another rank's ghost.
-bool joins_modal_body(const scene::Solids& solids) {
-  return std::ranges::any_of(solids.joints, [&](const scene::Joint& joint) {
-    return std::ranges::any_of(joint.surfaces, [&](const scene::JoinedSurface& surface) {
-      return solids.bodies[surface.body].modal.has_value();
-    });
-  });
-}
-
 }  // namespace
 
 std::unique_ptr<VelocityExchange> velocity_exchange(const scene::Solids& solids, const mesh::Part& part,
                                                     PetscSF exchange, MPI_Comm communicator) {
-  if (joins_modal_body(solids)) {
+  if (halo_of(solids) == Halo::states) {
     return std::make_unique<StateExchange>(part, exchange);
   }
   PetscBool by_messages = PETSC_FALSE;

@@ -14,37 +14,44 @@ namespace idiophone::advice {
 
 namespace {
 
-/// The velocities that a rank receives in each step.
-std::vector<Message> messages_of(const mesh::Part& part) {
+/// What a rank receives in each step.
+std::vector<Message> messages_of(const mesh::Part& part, motion::Halo halo) {
   std::map<int, Index> ghosts;  // of each owner
   for (const int owner : part.ghost_rank) {
     ++ghosts[owner];
   }
   std::vector<Message> messages;
   for (const auto& [owner, nodes] : ghosts) {
-    messages.push_back({.sender = owner, .bytes = motion::halo_bytes({.ghost_nodes = nodes})});
+    messages.push_back({.sender = owner, .bytes = motion::halo_bytes({.ghost_nodes = nodes}, halo)});
   }
   return messages;
 }
 
 }  // namespace
 
-RankPrediction predict_ranks(const std::vector<mesh::Mesh>& meshes, int ranks, const StepSeconds& one,
-                             int steps_per_read, const Network& network, const MemoryEstimate& memory) {
+RankPrediction predict_ranks(const bodies::Preparation& ready, const std::vector<mesh::Mesh>& meshes, int ranks,
+                             const StepSeconds& one, const Network& network, const MemoryEstimate& memory) {
+  const motion::Halo halo = motion::halo_of(ready.scene);
+  const std::vector<std::vector<Index>> coupled = motion::coupled_nodes(ready.attachments);
   mesh::PartSize whole;
   mesh::for_each_part(meshes, 1, [&](const mesh::Part& part) { whole = mesh::size_of(part); });
   RankPrediction result;
   result.network = network;
-  result.steps.steps_per_full_wait = steps_per_read;
-  mesh::for_each_part(meshes, ranks, [&](const mesh::Part& part) {
-    const mesh::PartSize size = mesh::size_of(part);
-    result.largest = mesh::largest(result.largest, size);
-    result.memory = std::max(result.memory, memory.of(part));
-    result.steps.ranks.push_back({.computing = one.force * size.work / whole.work +
-                                               (one.whole - one.force) * size.nodes / static_cast<double>(whole.nodes),
-                                  .inner = one.force * motion::work_without_ghosts(part) / whole.work,
-                                  .received = messages_of(part)});
-  });
+  result.halo = halo;
+  result.steps.steps_per_full_wait = ready.steps_per_read;
+  mesh::for_each_part(
+      meshes, ranks,
+      [&](const mesh::Part& part) {
+        const mesh::PartSize size = mesh::size_of(part);
+        result.largest = mesh::largest(result.largest, size);
+        result.memory = std::max(result.memory, memory.of(part));
+        result.steps.ranks.push_back(
+            {.computing = one.force * size.work / whole.work +
+                          (one.whole - one.force) * size.nodes / static_cast<double>(whole.nodes),
+             .inner = halo == motion::Halo::states ? 0.0 : one.force * motion::work_without_ghosts(part) / whole.work,
+             .received = messages_of(part, halo)});
+      },
+      coupled);
   result.step = step_time(result.steps, network);
   result.speed_up = one.whole / result.step.whole;
   constexpr double of_files = 10e6;  // what a run holds besides, measured
@@ -59,7 +66,8 @@ void report(const RankPrediction& prediction) {
   spdlog::info("  {} elements of its own and {} ghosts, {} nodes of its own and {} ghosts, {} neighbours",
                size.elements, size.ghost_elements, size.nodes, size.ghost_nodes, size.neighbours);
   spdlog::info("  {:.4g} kB of halo a step, {:.0f} MB of memory (rank 0, which prepares the run: {:.0f} MB)",
-               motion::halo_bytes(size) / 1e3, prediction.memory / mega, prediction.root_memory / mega);
+               motion::halo_bytes(size, prediction.halo) / 1e3, prediction.memory / mega,
+               prediction.root_memory / mega);
   spdlog::info(
       "  a step of {:.3g} ms, {:.3g} ms of it waiting: {:.4g} times as fast as one rank, with messages of {:.3g} s, "
       "{:.3g} s of it at each end, and {:.3g} bytes/s",
@@ -71,7 +79,7 @@ void report(const RankPrediction& prediction) {
 }
 
 nlohmann::json facts_of(const RankPrediction& prediction) {
-  nlohmann::json largest = loop::part_facts(prediction.largest);
+  nlohmann::json largest = loop::part_facts(prediction.largest, prediction.halo);
   return {{"ranks", prediction.steps.ranks.size()},
           {"latency", prediction.network.latency},
           {"overhead", prediction.network.overhead},

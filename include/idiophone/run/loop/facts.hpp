@@ -15,6 +15,7 @@
 #include "idiophone/foundation/parallel/stages.hpp"
 #include "idiophone/run/bodies/preparation.hpp"
 #include "idiophone/solids/mesh/part_size.hpp"
+#include "idiophone/solids/motion/ghost_exchange.hpp"
 
 namespace idiophone::loop {
 
@@ -43,7 +44,7 @@ void add_order(nlohmann::json& facts, element::Type type);
 
 /// Elements, nodes, ghosts, neighbours, halo.
 /// @param largest  of all ranks
-[[nodiscard]] nlohmann::json part_facts(const mesh::PartSize& largest);
+[[nodiscard]] nlohmann::json part_facts(const mesh::PartSize& largest, motion::Halo halo);
 
 /// The widest vectors that this program was built for, for example "AVX2".
 [[nodiscard]] std::string instruction_set();

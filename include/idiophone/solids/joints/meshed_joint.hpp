@@ -12,16 +12,19 @@
 
 namespace idiophone::joints {
 
-/// How much a node takes part in a point of a surface.
+/// How much a node takes part in a point of a surface, which is the sum of value times place. The two tangents there
+/// are the sums of slope times place.
 struct NodeWeight {
   Index node = 0;
-  double value = 0.0;             ///< N, its shape function there
-  std::array<double, 2> slope{};  ///< of N along the two coordinates of the face, without unit; 0 on the second surface
+  double value = 0.0;             ///< of a layer: its shape function there
+  std::array<double, 2> slope{};  ///< of a layer: along the two coordinates of the face; 0 on the second surface
 };
 
-/// A quadrature point of the first surface and the point of the second one on its normal, undeformed.
+/// A point of the first surface and the point of the second one on its normal, undeformed: of a layer, a quadrature
+/// point; of a spring, the middles of the surfaces, and the normal is its line; of a hinge, an end of the axis as both
+/// bodies have it.
 struct JointPoint {
-  double area = 0.0;       ///< that it stands for, m2
+  double area = 0.0;       ///< that it stands for, m2; 1 of a spring or hinge
   double distance = 0.0;   ///< of the second point, along the outward normal of the first surface, m
   Index first_begin = 0;   ///< weights of the first surface are MeshedJoint::weights[first_begin, second_begin)
   Index second_begin = 0;  ///< those of the second one are [second_begin, end)
@@ -30,13 +33,17 @@ struct JointPoint {
 
 /// A joint in global node numbers, or in those of a part.
 struct MeshedJoint {
-  double normal = 0.0;      ///< stiffness, Pa/m
-  double tangential = 0.0;  ///< stiffness, Pa/m
+  std::size_t joint = 0;  ///< index into Solids::joints; a hinge that resists turning has two of it
+  bool resists_turning =
+      false;                ///< this one does so: its weights have no values, and slopes of both bodies along a
+                            ///< direction each, at right angles to the axis and to each other; normal is in N m/rad
+  double normal = 0.0;      ///< stiffness, Pa/m; N/m of a spring or hinge
+  double tangential = 0.0;  ///< stiffness, Pa/m; N/m of a spring or hinge
   double damping = 0.0;     ///< relaxation time, s
   std::vector<JointPoint> points;
   std::vector<NodeWeight> weights;  ///< of all points
 
-  [[nodiscard]] double area() const;              ///< that is joined, m2
+  [[nodiscard]] double area() const;              ///< that a layer joins, m2
   [[nodiscard]] double largest_distance() const;  ///< between the two surfaces, m
   /// Of both surfaces.
   [[nodiscard]] std::span<const NodeWeight> weights_of(const JointPoint& point) const {
@@ -45,9 +52,10 @@ struct MeshedJoint {
 };
 
 /// The joints of the scene, in global node numbers. Call where the meshes are.
-/// @throws deck::DeckError, pointing at the group, when the mesh lacks it or it has no faces on the surface; pointing
-/// at
-///         the joint, when no part of the two surfaces is within its reach
+/// @throws deck::DeckError, pointing at the group, when the mesh lacks it, it has no faces on the surface, or a spring
+/// or
+///         hinge would hold too many nodes of it or lies too far from it; pointing at the joint, when no part of the
+///         two surfaces is within its reach
 [[nodiscard]] std::vector<MeshedJoint> find_joints(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes);
 
 /// Rank 0's joints, on every rank. Collective.

@@ -29,8 +29,10 @@ struct PartSize {
 [[nodiscard]] double work_of_element(element::Type type);
 
 /// Calls visit(part) with the part of each rank, rank 0's first, as `distribute` would make them.
-/// @param ranks  that share the bodies; no process is needed for them
+/// @param ranks    that share the bodies; no process is needed for them
+/// @param coupled  as `distribute` takes them
 /// @throws std::runtime_error as `distribute`
-void for_each_part(const std::vector<Mesh>& meshes, int ranks, const std::function<void(const Part&)>& visit);
+void for_each_part(const std::vector<Mesh>& meshes, int ranks, const std::function<void(const Part&)>& visit,
+                   std::span<const std::vector<Index>> coupled = {});
 
 }  // namespace idiophone::mesh

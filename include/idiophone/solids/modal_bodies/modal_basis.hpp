@@ -14,6 +14,7 @@ namespace idiophone::modal_bodies {
 struct ModalBasis {
   bool is_free = false;             ///< it has six rigid motions; otherwise none
   std::vector<double> frequencies;  ///< [modes] w without damping, rad/s, ascending
+  std::size_t further = 0;          ///< how many of them, the highest, joints add to those of the model
   std::vector<double> decay_rates;  ///< [modes] zeta w: amplitudes fall as exp(-zeta w t), 1/s
   std::vector<double> shapes;       ///< [modes x 3 x nodes], mode by mode, kg^-1/2: x^T M x = 1
   std::vector<double> masses;       ///< [nodes] of the lumped mass matrix M, kg
@@ -31,8 +32,8 @@ struct ModalBasis {
 /// Those of the bodies that move by their modes, by the number of the body.
 using ModalBases = std::map<std::size_t, ModalBasis>;
 
-/// Frequency at which the residual flexibility may follow a force, rad/s: twice that of the highest mode, and of 40 kHz
-/// at least. A modal body's step resolves it.
+/// Frequency at which the residual flexibility may follow a force, rad/s: twice that of the model's highest mode, and
+/// of 40 kHz at least. A modal body's step resolves it.
 [[nodiscard]] double residual_frequency(const ModalBasis& basis);
 
 }  // namespace idiophone::modal_bodies

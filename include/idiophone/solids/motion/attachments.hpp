@@ -29,7 +29,7 @@ struct Attachments {
   std::vector<mesh::Patch> bows;                   ///< [Solids::bows]
   std::vector<std::vector<mesh::Triangle>> winds;  ///< [Solids::winds] surfaces that they push, in their order
   std::vector<std::vector<mesh::Patch>> gauges;    ///< [Solids::gauges][points]
-  std::vector<joints::MeshedJoint> joints;         ///< [Solids::joints]
+  std::vector<joints::MeshedJoint> joints;         ///< in the order of Solids::joints
   std::vector<OfBody> bodies;                      ///< [Solids::bodies]
 };
 

@@ -4,6 +4,7 @@
 #include <petscsf.h>
 
 #include "idiophone/foundation/parallel/petsc.hpp"
+#include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/mesh/part_size.hpp"
 
 namespace idiophone::motion {
@@ -16,7 +17,14 @@ namespace idiophone::motion {
 /// mesh::work_of_element.
 [[nodiscard]] double work_without_ghosts(const mesh::Part& part);
 
-/// What a rank receives in each step: the velocities of its ghosts. Bytes.
-[[nodiscard]] double halo_bytes(const mesh::PartSize& size);
+/// What travels of each ghost in each step: its velocity or, because nodes of modal bodies do not move by their
+/// velocities times the step, all of its state.
+enum class Halo { velocities, states };
+
+/// States where a joint holds a modal body.
+[[nodiscard]] Halo halo_of(const scene::Solids& solids);
+
+/// What a rank receives in each step, bytes.
+[[nodiscard]] double halo_bytes(const mesh::PartSize& size, Halo halo);
 
 }  // namespace idiophone::motion

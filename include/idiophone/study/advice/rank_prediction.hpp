@@ -5,7 +5,9 @@
 #include <optional>
 #include <vector>
 
+#include "idiophone/run/bodies/preparation.hpp"
 #include "idiophone/solids/mesh/part_size.hpp"
+#include "idiophone/solids/motion/ghost_exchange.hpp"
 #include "idiophone/study/advice/memory_estimate.hpp"
 #include "idiophone/study/advice/network.hpp"
 #include "idiophone/study/advice/rank_steps.hpp"
@@ -17,6 +19,7 @@ namespace idiophone::advice {
 struct RankPrediction {
   Network network;
   RankSteps steps;
+  motion::Halo halo = motion::Halo::velocities;
   mesh::PartSize largest;    ///< the largest number of any rank
   double memory = 0.0;       ///< of the rank that needs most while it runs, bytes
   double root_memory = 0.0;  ///< of rank 0, which prepares the run, at its peak, bytes
@@ -26,14 +29,14 @@ struct RankPrediction {
 };
 
 /// Cuts the bodies into parts. The elements' time is divided like their work, all else like the nodes. Messages travel
-/// while elements that need no ghost are computed, except before the surface is read. Contact and waves are not
-/// counted.
-/// @param meshes          of all bodies
-/// @param one             of a run on one rank
-/// @param steps_per_read  steps from one reading of the surface to the next
+/// while elements that need no ghost are computed, except before the surface is read; states do so alone. Contact and
+/// waves are not counted.
+/// @param meshes  of all bodies
+/// @param one     of a run on one rank
 /// @throws std::runtime_error when there are more ranks than elements can fill
-[[nodiscard]] RankPrediction predict_ranks(const std::vector<mesh::Mesh>& meshes, int ranks, const StepSeconds& one,
-                                           int steps_per_read, const Network& network, const MemoryEstimate& memory);
+[[nodiscard]] RankPrediction predict_ranks(const bodies::Preparation& ready, const std::vector<mesh::Mesh>& meshes,
+                                           int ranks, const StepSeconds& one, const Network& network,
+                                           const MemoryEstimate& memory);
 
 void report(const RankPrediction& prediction);
 

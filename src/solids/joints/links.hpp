@@ -1,0 +1,16 @@
+#pragma once
+// Springs and hinges on meshes.
+
+#include "idiophone/solids/joints/meshed_joint.hpp"
+
+namespace idiophone::joints {
+
+/// A spring or a hinge: a joint, and another one if the hinge resists turning.
+/// @param number   of the joint, as MeshedJoint::joint
+/// @param modulus  the softest of both bodies, Pa: a rigid hinge is a hundred times as stiff as a piece of it
+/// @throws as find_joints()
+[[nodiscard]] std::vector<MeshedJoint> mesh_link(const scene::Joint& joint, std::size_t number, double modulus,
+                                                 const std::vector<mesh::Mesh>& meshes,
+                                                 const std::vector<Index>& first_node);
+
+}  // namespace idiophone::joints
