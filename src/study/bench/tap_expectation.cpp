@@ -77,16 +77,26 @@ void TapExpectations::set_mode(ExpectedTap& expected, std::size_t mode, const Wo
   }
 }
 
+double TapExpectations::doubt_of(const Cut& cut) const {
+  std::vector<Tool> tools = {cut.tool};
+  doubt_narrow_tools(tools, piece_.thinnest());
+  return tools.front().slope_error;
+}
+
 void TapExpectations::set_spread(ExpectedTap& expected, const Tap& tap) {
   if (is_first_) {
     expected.spread[TapUnknowns::shift] = common_deviation;
     expected.spread[TapUnknowns::thickness] = beliefs_.depth_error;
     expected.spread.segment(unknowns_.constant(0), uncut_.deviations.size()) = uncut_.deviations;
   }
+  Eigen::VectorXd by_cuts = beliefs_.slope_error * (expected.cents - before_);
+  for (std::size_t cut = cuts_before_; cut < tap.cuts; ++cut) {
+    by_cuts.array() = by_cuts.array().abs() +
+                      doubt_of(made_[cut]) * made_[cut].depth * expected.slopes.col(unknowns_.depth(cut)).array().abs();
+  }
   for (std::size_t mode = 0; mode < unknowns_.modes; ++mode) {
-    const auto row = static_cast<Eigen::Index>(mode);
-    const double by_cuts = beliefs_.slope_error * (expected.cents[row] - before_[row]);
-    expected.spread[unknowns_.own(mode)] = is_first_ ? std::hypot(beliefs_.own, by_cuts) : std::abs(by_cuts);
+    const double spread = by_cuts[static_cast<Eigen::Index>(mode)];
+    expected.spread[unknowns_.own(mode)] = is_first_ ? std::hypot(beliefs_.own, spread) : std::abs(spread);
   }
   for (std::size_t cut = cuts_before_; cut < tap.cuts; ++cut) {
     expected.spread[unknowns_.depth(cut)] = beliefs_.depth_error;
