@@ -53,9 +53,9 @@ class Waves(program.TestCase):
         self.require_the_same_bits(BACK + MODAL, (2,))
 
     def require_an_accelerator(self):
-        job = program.run("simple", self.output / "none", *ACCELERATOR)
+        job = program.run("simple", self.output / "none", *ACCELERATOR, "--accelerate", "waves")
         self.require_status(job, program.FAILED)  # its deck has no waves
-        self.assertIn("--accelerator computes waves on a grid only", job.stderr)
+        self.assertIn("--accelerator has nothing to compute", job.stderr)
         job = program.run("simple", self.output / "none", *WAVES, "--accelerator", "no such device")
         self.require_status(job, program.FAILED)
         if "no such device" not in job.stderr:

@@ -9,13 +9,16 @@
 
 namespace idiophone::app {
 
-void add_accelerator(CLI::App& app, std::string& wish) {
+void add_accelerator(CLI::App& app, std::string& wish, const std::string& text) {
   app.add_option("--accelerator", wish,
-                 "computes waves on a grid: gpu, the number of an OpenCL device, or part of its name (default: the "
-                 "processor does)");
+                 text + ": gpu, the number of an OpenCL device, or part of its name (default: the processor does)");
 }
 
-std::unique_ptr<accelerator::Accelerator> open_accelerator(const std::string& wish, const scene::Radiation& radiation,
+bool has_waves(const scene::Radiation& radiation) {
+  return radiation.model == scene::RadiationModel::waves;
+}
+
+std::unique_ptr<accelerator::Accelerator> open_accelerator(const std::string& wish, const AcceleratedWork& work,
                                                            MPI_Comm communicator) {
   if (wish.empty()) {
     return nullptr;
@@ -23,14 +26,16 @@ std::unique_ptr<accelerator::Accelerator> open_accelerator(const std::string& wi
   std::unique_ptr<accelerator::Accelerator> opened;
   const int rank = parallel::rank_of(parallel::RanksOfMachine(communicator).get());
   parallel::collectively(communicator, [&] {
-    if (radiation.model != scene::RadiationModel::waves) {
+    if (!work.waves && !work.elements) {
       throw std::runtime_error(
-          "--accelerator computes waves on a grid only; leave it out, or choose radiation: {model: waves, cell: ...}");
+          "--accelerator has nothing to compute: it takes waves on a grid (radiation: {model: waves, cell: ...}), and "
+          "in a run bodies of finite elements; leave it out");
     }
     opened = std::make_unique<accelerator::Accelerator>(wish, rank);
   });
   if (parallel::is_root(communicator)) {
-    spdlog::info("waves are computed by {}", opened->name());
+    spdlog::info("{}{}{} are computed by {}", work.elements ? "finite elements" : "",
+                 work.elements && work.waves ? " and " : "", work.waves ? "waves" : "", opened->name());
   }
   return opened;
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -44,8 +45,10 @@ struct BodySources {
 };
 
 /// Collective.
-BodySources make_sources(const bodies::Preparation& ready, parallel::Stages& stages, MPI_Comm communicator) {
-  auto bodies = std::make_unique<bodies::FiniteElementSource>(ready, stages, communicator);
+/// @param accelerator  of finite elements; null: the processor computes them
+BodySources make_sources(const bodies::Preparation& ready, parallel::Stages& stages, MPI_Comm communicator,
+                         accelerator::Accelerator* accelerator) {
+  auto bodies = std::make_unique<bodies::FiniteElementSource>(ready, stages, communicator, accelerator);
   BodySources made{nullptr, bodies.get()};
   if (ready.scene.recorded_bodies.empty()) {
     made.all = std::move(bodies);
@@ -104,6 +107,14 @@ class SceneRecorder : public record::Recorder {
   loop::ProgressWish progress_;
 };
 
+/// What the accelerator of a run has to compute.
+AcceleratedWork accelerated_work(const RunOptions& options, const scene::Scene& scene) {
+  const bool has_elements =
+      std::ranges::any_of(scene.bodies, [](const scene::Body& body) { return !body.modal.has_value(); });
+  return {.waves = options.accelerated != Accelerated::elements && has_waves(scene.radiation),
+          .elements = options.accelerated != Accelerated::waves && has_elements};
+}
+
 nlohmann::json largest_part_facts(const bodies::Preparation& ready, MPI_Comm communicator) {
   nlohmann::json facts;
   facts["largest_part"] = loop::part_facts(loop::largest_part(ready.part, communicator), motion::halo_of(ready.scene));
@@ -129,13 +140,14 @@ int run_deck(const RunOptions& options, MPI_Comm communicator) {
   if (!options.scene.empty()) {
     sonic_scene.emplace(options.scene, communicator);
   }
-  const auto accelerator = open_accelerator(options.accelerator, scene.radiation, communicator);
+  const AcceleratedWork work = accelerated_work(options, scene);
+  const auto accelerator = open_accelerator(options.accelerator, work, communicator);
   const loop::OutputLock lock(options.output, scene.name, communicator);
   const bodies::Preparation ready = bodies::prepare(std::move(scene), communicator);
   parallel::on_root(communicator, [&] { advice::report_doubts(ready); });
   const std::filesystem::path result_path = options.output / (ready.scene.name + ".h5");
   parallel::Stages stages;
-  const BodySources sources = make_sources(ready, stages, communicator);
+  const BodySources sources = make_sources(ready, stages, communicator, work.elements ? accelerator.get() : nullptr);
   bodies::Channels channels(sources.all->channels());
   const auto recorders = [&](results::ResultFile& result) {
     record::Recorders all = make_recorders(ready, sources, channels, result, result_path, communicator);
@@ -156,7 +168,7 @@ int run_deck(const RunOptions& options, MPI_Comm communicator) {
                         .checkpoints = loop::JobCheckpoints{identity(ready, sonic_scene, communicator),
                                                             continued_files(ready.scene, result_path), options.resume},
                         .progress = loop::progress_style(options.progress, parallel::rank_of(communicator)),
-                        .accelerator = accelerator.get(),
+                        .accelerator = work.waves ? accelerator.get() : nullptr,
                         .job_facts = [&] { return largest_part_facts(ready, communicator); },
                         .recorders = recorders},
                        communicator)

@@ -46,7 +46,7 @@ void declare(CLI::App& app, ListenOptions& options) {
   add_overrides(app, options.overrides);
   add_output_folder(app, options.output, "folder of the results");
   add_progress(app, options.progress);
-  add_accelerator(app, options.accelerator);
+  add_accelerator(app, options.accelerator, "computes waves on a grid");
 }
 
 /// The recording beside a result, or the recording itself.
@@ -138,7 +138,7 @@ int listen(const ListenOptions& options) {
   if (!reader) {
     read();
   }
-  const auto accelerator = open_accelerator(options.accelerator, scene.radiation, communicator);
+  const auto accelerator = open_accelerator(options.accelerator, {.waves = has_waves(scene.radiation)}, communicator);
   const loop::OutputLock lock(options.output, scene.name, communicator);
   bodies::RecordedSource source("", std::move(*reader), scene.radiation, bodies::RecordedObstacles::keep, communicator);
   check_placement(scene, source.surface(), communicator);

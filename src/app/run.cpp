@@ -15,7 +15,10 @@ void declare(CLI::App& app, RunOptions& options) {
   app.add_option(
       "--scene", options.scene,
       "a sonic scene, whose sounds are bound to the motion and become part of the result (docs/use/timbre.md)");
-  add_accelerator(app, options.accelerator);
+  add_accelerator(app, options.accelerator, "computes finite elements and waves on a grid");
+  const deck::Choices<Accelerated> parts{
+      {{"all", Accelerated::all}, {"waves", Accelerated::waves}, {"elements", Accelerated::elements}}};
+  add_choice(app, "--accelerate", options.accelerated, parts, "what the accelerator computes");
   app.add_flag("--resume", options.resume, "go on from the newest checkpoint in the output folder");
 }
 

@@ -42,7 +42,8 @@ struct Laboratory {
   }
 
   Motion& begin(double step, std::span<const double> displacement = {}) {
-    motion = std::make_unique<Motion>(scene, part, attachments, contact_surfaces, step, 16, MPI_COMM_SELF);
+    motion = std::make_unique<Motion>(scene, part, attachments, contact_surfaces, step, 16, MPI_COMM_SELF,
+                                      finite_elements_only, 1, accelerator);
     initial_state = mass_properties(motion->dynamics(), part);
     motion->balance_loads(initial_state);
     motion->start(initial_state.centres, displacement);
@@ -90,6 +91,7 @@ struct Laboratory {
   scene::Scene scene;
   Attachments attachments;
   contact::ContactSurfaces contact_surfaces;
+  accelerator::Accelerator* accelerator = nullptr;  ///< which steps the body; null: the processor does
   InitialState initial_state;
   std::unique_ptr<Motion> motion;
 };
@@ -98,7 +100,8 @@ struct Laboratory {
 inline void expect_a_saved_state_to_go_on(Laboratory& lab, double step, int steps) {
   lab.begin(step);
   lab.advance(steps);
-  Motion other(lab.scene, lab.part, lab.attachments, lab.contact_surfaces, step, 16, MPI_COMM_SELF);
+  Motion other(lab.scene, lab.part, lab.attachments, lab.contact_surfaces, step, 16, MPI_COMM_SELF,
+               finite_elements_only, 1, lab.accelerator);
   lab.go_on(other, lab.motion->step_number());
   for (int i = 0; i < steps; ++i) {
     (void)lab.observe();  // measuring changes nothing

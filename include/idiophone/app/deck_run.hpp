@@ -11,6 +11,13 @@
 
 namespace idiophone::app {
 
+/// What an accelerator computes.
+enum class Accelerated {
+  all,       ///< whatever it can
+  waves,     ///< waves on a grid
+  elements,  ///< finite elements
+};
+
 struct RunOptions {
   std::filesystem::path deck;
   std::vector<std::string> overrides;  ///< KEY.PATH=VALUE
@@ -18,7 +25,8 @@ struct RunOptions {
   bool resume = false;          ///< go on from the newest checkpoint
   std::filesystem::path scene;  ///< a sonic scene whose sounds are made, too; empty for none
   loop::ProgressWish progress = loop::ProgressWish::automatic;
-  std::string accelerator = {};  ///< computes waves on a grid, as accelerator::Accelerator takes it; empty for none
+  std::string accelerator = {};  ///< as accelerator::Accelerator takes it; empty for none
+  Accelerated accelerated = Accelerated::all;
 };
 
 /// Runs a deck; writes NAME.h5, NAME.wav and NAME_checkpoints into the output folder. Collective.

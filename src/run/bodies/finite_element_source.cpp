@@ -17,14 +17,15 @@ std::int64_t sound_samples(const scene::Scene& scene) {
   return std::max<std::int64_t>(1, std::llround(scene.time.duration * scene.audio.rate));
 }
 
-FiniteElementSource::FiniteElementSource(const Preparation& ready, parallel::Stages& stages, MPI_Comm communicator)
+FiniteElementSource::FiniteElementSource(const Preparation& ready, parallel::Stages& stages, MPI_Comm communicator,
+                                         accelerator::Accelerator* accelerator)
     : Source(audible_surface(ready, communicator)),
       ready_(ready),
       stages_(stages),
       communicator_(communicator),
       rank_(parallel::rank_of(communicator)),
       motion_(ready.scene, ready.part, ready.attachments, ready.contact_surfaces, ready.step(), ready.steps_per_sample,
-              communicator, ready.models(), ready.steps_per_read),
+              communicator, ready.models(), ready.steps_per_read, accelerator),
       surfaces_(std::make_unique<BodySurfaces>(ready, surface(), communicator)),
       stability_(ready),
       warned_(ready.scene.bodies.size()),
@@ -64,6 +65,7 @@ void FiniteElementSource::advance(surface::SurfaceMotion& motion) {
       advance_motion_to(motion_.step_number() + ready_.steps_per_read);
     }
     const parallel::Stages::Scope stage(stages_, parallel::Stage::surface);
+    motion_.update_surface();
     surfaces_->read(motion_);
   }
   stages_.move(parallel::Stage::motion, parallel::Stage::contact, motion_.contacts().take_seconds());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "accelerated_body.hpp"
 #include "finite_element_body.hpp"
 #include "idiophone/solids/motion/initial_state.hpp"
 
@@ -15,8 +16,9 @@ Dynamics::Dynamics(const scene::Solids& solids, const mesh::Part& part, const At
       joints_(attachments.joints, part) {}
 
 Dynamics::Dynamics(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments,
-                   const ModelMaker& models)
+                   const ModelMaker& models, accelerator::Accelerator* accelerator)
     : Dynamics(solids, part, attachments) {
+  accelerator_ = accelerator;
   std::vector<double> lumped(part.node_ids.size());
   for (std::size_t b = 0; b < part.bodies.size(); ++b) {
     if (auto model = models(part, b)) {
@@ -34,7 +36,13 @@ Dynamics::~Dynamics() = default;
 
 const FiniteElementBody& Dynamics::add_finite_elements(const scene::Solids& solids, MassScaling scaling,
                                                        std::span<double> lumped) {
-  auto body = std::make_unique<FiniteElementBody>(solids, part_, constraints_, bodies_.size(), scaling, lumped);
+  const std::size_t number = bodies_.size();
+  std::unique_ptr<FiniteElementBody> body;
+  if (accelerator_ == nullptr) {
+    body = std::make_unique<FiniteElementBody>(solids, part_, constraints_, number, scaling, lumped);
+  } else {
+    body = std::make_unique<AcceleratedBody>(*accelerator_, solids, part_, constraints_, number, scaling, lumped);
+  }
   const FiniteElementBody& added = *body;
   bodies_.push_back(std::move(body));
   return added;
@@ -189,6 +197,18 @@ int Dynamics::steps_at_once() const {
 void Dynamics::update_nodes(std::span<NodeState> state) {
   for (const auto& body : bodies_) {
     body->update_nodes(state);
+  }
+}
+
+void Dynamics::update_surface(std::span<NodeState> state) {
+  for (const auto& body : bodies_) {
+    body->update_surface(state);
+  }
+}
+
+void Dynamics::update_all(std::span<NodeState> state) {
+  for (const auto& body : bodies_) {
+    body->update_all(state);
   }
 }
 

@@ -44,13 +44,13 @@ void add_node(BodySums& sums, double mass, const Vector3& arm, const Vector3& di
 FiniteElementBody::FiniteElementBody(const scene::Solids& solids, const mesh::Part& part,
                                      const Constraints& constraints, std::size_t number, MassScaling scaling,
                                      std::span<double> lumped)
-    : part_(part),
+    : name_(solids.bodies[number].name),
+      highest_loss_(highest_loss(solids, solids.bodies[number])),
+      part_(part),
       body_(part.bodies[number]),
       constraints_(constraints),
       number_(number),
-      name_(solids.bodies[number].name),
       gravity_(solids.gravity),
-      highest_loss_(highest_loss(solids, solids.bodies[number])),
       mass_damping_(solids.materials[solids.bodies[number].material].damping.of_all_motion()),
       solid_(body_, part.reference, solid::oriented_materials(solids.bodies[number], solids.materials)),
       mass_(make_mass(solids, scaling, lumped)) {}

@@ -70,15 +70,17 @@ class FiniteElementBody : public BodyModel {
   /// @param lumped  [local nodes] kg
   [[nodiscard]] solid::AddedMass added_mass(const scene::Solids& solids, std::span<const double> lumped);
 
+  std::string name_;
+  double highest_loss_;  ///< as in StableStep
+  double predicted_shift_ = 0.0;
+
+ protected:
   const mesh::Part& part_;
   const mesh::BodyPart& body_;
   const Constraints& constraints_;
   std::size_t number_;
-  std::string name_;
   Vector3 gravity_;
-  double highest_loss_;  ///< as in StableStep
   double mass_damping_;  ///< alpha, 1/s
-  double predicted_shift_ = 0.0;
   solid::Solid solid_;
   solid::Mass mass_;
 };

@@ -45,10 +45,10 @@ PetscErrorCode Motion::compute_force(TS /*ts*/, PetscReal time, Vec state, Vec f
 
 Motion::Motion(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments,
                const contact::ContactSurfaces& contact_surfaces, double step, int steps_per_update,
-               MPI_Comm communicator, const ModelMaker& models, int most_at_once)
+               MPI_Comm communicator, const ModelMaker& models, int most_at_once, accelerator::Accelerator* accelerator)
     : bodies_(solids.bodies),
       part_(part),
-      dynamics_(solids, part, attachments, models),
+      dynamics_(solids, part, attachments, models, accelerator),
       contacts_(solids, part, contact_surfaces, step, steps_per_update, communicator),
       step_(step),
       steps_per_update_(steps_per_update),
@@ -118,6 +118,7 @@ void Motion::advance_to(std::int64_t step_number) {
 }
 
 void Motion::add_sums(const InitialState& initial_state, std::span<BodySums> sums) {
+  dynamics_.update_all(state_);
   dynamics_.compute_force(time(), state_, force_);
   add_outer_forces(state_, force_);
   dynamics_.add_sums({step_number_, step_}, force_, state_, initial_state, sums);

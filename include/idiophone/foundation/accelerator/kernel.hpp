@@ -48,7 +48,7 @@ class Kernel {
   }
   template <class T>
   void set(unsigned place, const T& number) {
-    static_assert(std::is_arithmetic_v<T> && sizeof(T) == 4);
+    static_assert(std::is_same_v<T, int> || std::is_same_v<T, float> || std::is_same_v<T, double>);
     set(place, sizeof(T), &number);
   }
   void set(unsigned place, std::size_t bytes, const void* value);

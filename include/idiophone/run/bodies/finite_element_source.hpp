@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "idiophone/foundation/accelerator/accelerator.hpp"
 #include "idiophone/foundation/parallel/stages.hpp"
 #include "idiophone/run/bodies/air_coupling.hpp"
 #include "idiophone/run/bodies/body_channels.hpp"
@@ -30,8 +31,10 @@ class FiniteElementSource : public Source {
  public:
   /// Collective.
   /// @param ready, stages  must outlive this object
-  /// @throws std::runtime_error where an element is inverted or PETSc refuses an option
-  FiniteElementSource(const Preparation& ready, parallel::Stages& stages, MPI_Comm communicator);
+  /// @param accelerator    see motion::Motion
+  /// @throws std::runtime_error where an element is inverted or PETSc refuses an option; see motion::Motion
+  FiniteElementSource(const Preparation& ready, parallel::Stages& stages, MPI_Comm communicator,
+                      accelerator::Accelerator* accelerator = nullptr);
 
   ~FiniteElementSource() override;
   FiniteElementSource(const FiniteElementSource&) = delete;

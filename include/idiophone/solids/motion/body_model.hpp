@@ -108,6 +108,12 @@ class BodyModel {
   /// Brings the states of all owned nodes up to date.
   virtual void update_nodes(std::span<NodeState> state) = 0;
 
+  /// Brings the states of the owned nodes at the surface up to date, in finite elements that have them elsewhere.
+  virtual void update_surface(std::span<NodeState> /*state*/) {}
+
+  /// Brings up to date what add_internal_force() and add_sums() need.
+  virtual void update_all(std::span<NodeState> /*state*/) {}
+
   /// Of a body that moves by its modes, on the rank that has it.
   [[nodiscard]] virtual std::optional<ModalState> modal_state() const { return std::nullopt; }
 

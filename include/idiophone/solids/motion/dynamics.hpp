@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "idiophone/foundation/accelerator/accelerator.hpp"
 #include "idiophone/solids/joints/joints.hpp"
 #include "idiophone/solids/motion/body_fracture.hpp"
 #include "idiophone/solids/motion/body_model.hpp"
@@ -24,9 +25,11 @@ class Dynamics {
  public:
   /// @param part    must outlive this object
   /// @param models  of the bodies that do not consist of finite elements
-  /// @throws std::runtime_error where an element is inverted (see solid::Solid)
+  /// @param accelerator  which steps the finite elements; null: the processor does. It must outlive this object
+  /// @throws std::runtime_error where an element is inverted (see solid::Solid), or a body is one that no accelerator
+  ///         can step, or does not fit into its memory
   Dynamics(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments,
-           const ModelMaker& models);
+           const ModelMaker& models, accelerator::Accelerator* accelerator = nullptr);
   ~Dynamics();
   Dynamics(const Dynamics&) = delete;
   Dynamics& operator=(const Dynamics&) = delete;
@@ -94,6 +97,10 @@ class Dynamics {
   /// Brings the states of all owned nodes up to date.
   void update_nodes(std::span<NodeState> state);
 
+  /// See BodyModel.
+  void update_surface(std::span<NodeState> state);
+  void update_all(std::span<NodeState> state);
+
   /// All that decides the future, except the states of the nodes. Collective.
   void archive(parallel::Archive& archive);
 
@@ -119,6 +126,7 @@ class Dynamics {
   void add_outer_forces(double time, std::span<const NodeState> state, std::span<NodeForce> force) const;
 
   const mesh::Part& part_;
+  accelerator::Accelerator* accelerator_ = nullptr;
   Loads loads_;
   Constraints constraints_;
   joints::Joints joints_;

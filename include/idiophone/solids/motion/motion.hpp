@@ -32,10 +32,12 @@ class Motion {
   /// @param models            see Dynamics
   /// @param most_at_once      steps that bodies may take at once where no contact and no pulse can act on them; a
   ///                          divisor of steps_per_update
-  /// @throws std::runtime_error where an element is inverted or PETSc refuses an option
+  /// @param accelerator       see Dynamics
+  /// @throws std::runtime_error where an element is inverted or PETSc refuses an option; see Dynamics
   Motion(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments,
          const contact::ContactSurfaces& contact_surfaces, double step, int steps_per_update, MPI_Comm communicator,
-         const ModelMaker& models = finite_elements_only, int most_at_once = 1);
+         const ModelMaker& models = finite_elements_only, int most_at_once = 1,
+         accelerator::Accelerator* accelerator = nullptr);
   ~Motion();
   Motion(const Motion&) = delete;
   Motion& operator=(const Motion&) = delete;
@@ -66,6 +68,9 @@ class Motion {
   /// Brings the states of all owned nodes up to date: bodies that have a state of their own do so only for the broad
   /// phase of contacts.
   void update_nodes() { dynamics_.update_nodes(state_); }
+
+  /// The same for the owned nodes at surfaces of finite elements.
+  void update_surface() { dynamics_.update_surface(state_); }
 
   /// Adds what the bodies do now to their sums (see measure); changes nothing in the motion.
   /// @param sums  [bodies], then [pieces]
