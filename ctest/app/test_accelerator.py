@@ -36,15 +36,17 @@ class Accelerator(program.TestCase):
                 self.assertEqual(on_ranks[path].tobytes(), found[path].tobytes(), path)
 
     def test_a_body_that_bounces_and_remembers_its_strain(self):
-        settings = "--set", "time.duration=0.02"
+        settings = ("--set", "time.duration=0.02",
+                    "--set", "materials.rubber.damping={loss_factor: 0.05, band: [100, 1000]}")
         expected = self.run_deck("bounce", "processor", *settings)
         self.require_alike(self.run_deck("bounce", "device", *settings, *ACCELERATOR), expected, 1e-6)
 
     def test_a_run_goes_on_on_the_other_side(self):
-        expected = self.run_deck("simple", "whole")
+        settings = "--set", "time.duration=0.006"
+        expected = self.run_deck("simple", "whole", *settings)
         limit = "--set", "time.wall_clock_limit=1e-6"  # stops at the end of the first block of each job
-        for chosen, ranks in 4 * ((ACCELERATOR, 2), ((), 1)):
-            job = program.run("simple", self.output / "turns", *limit, "--resume", *chosen, ranks=ranks)
+        for chosen, ranks in 5 * ((ACCELERATOR, 2), ((), 1)):
+            job = program.run("simple", self.output / "turns", *settings, *limit, "--resume", *chosen, ranks=ranks)
             if job.returncode == program.FINISHED:
                 break
             self.require_status(job, program.RESUMABLE)

@@ -69,7 +69,7 @@ class Joints(program.TestCase):
         self.require_same(self.output / "joined.h5", alone)
 
     def test_check_counts_the_states_of_ghosts_beside_modal_bodies(self):
-        for model, bytes_of_ghost in ("{type: finite_elements}", 24), ("{type: modal, count: 6}", 48):
+        for model, bytes_of_ghost in ("{type: finite_elements}", 24), ("{type: modal, count: 6}", 64):
             setting = "--set", f"bodies.right.model={model}", "--set", "time.duration=0.001"
             job = program.idiophone("check", DECK, *setting, "-n", 2, "--json")
             self.require_status(job, program.FINISHED)

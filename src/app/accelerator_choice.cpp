@@ -29,7 +29,7 @@ std::unique_ptr<accelerator::Accelerator> open_accelerator(const std::string& wi
     if (!work.waves && !work.elements) {
       throw std::runtime_error(
           "--accelerator has nothing to compute: it takes waves on a grid (radiation: {model: waves, cell: ...}), and "
-          "in a run bodies of finite elements; leave it out");
+          "in a run bodies of finite elements; leave it out, or choose another --accelerate");
     }
     opened = std::make_unique<accelerator::Accelerator>(wish, rank);
   });

@@ -88,7 +88,7 @@ std::vector<double> material_table(const solid::Solid& solid, const LawSize& siz
   for (std::size_t region = 0; region < solid.region_count(); ++region) {
     const solid::Relaxation& relaxation = solid.relaxation(region);
     const bool remembers = !relaxation.mechanisms.empty();
-    const scene::StiffnessMatrix stiffness =
+    const solid::StiffnessMatrix stiffness =
         stiffness_matrix(remembers ? solid.elasticity(region) : solid.relaxed_elasticity(region));
     for (int i = 0; i < 6; ++i) {
       for (int j = 0; j < 6; ++j) {

@@ -18,7 +18,8 @@ AcceleratedBody::AcceleratedBody(accelerator::Accelerator& accelerator, const sc
   if (body.mass_scaling || !body.fracture.empty()) {
     throw std::runtime_error("body " + body.name + ": an accelerator can't step a body with " +
                              (body.mass_scaling ? "mass_scaling" : "fracture") +
-                             "; leave it out, or add --accelerate waves, or leave --accelerator out");
+                             "; leave it out, or leave --accelerator out, or, if the deck has waves on a grid, add "
+                             "--accelerate waves");
   }
   if (!body.driven.empty()) {
     for (const Index component : constraints.held_components(number)) {
@@ -37,7 +38,8 @@ void AcceleratedBody::begin(double step) {
   std::vector<Index> exchanged = steered_;
   exchanged.insert(exchanged.end(), there_->shared().begin(), there_->shared().end());
   keep_each_once(exchanged);
-  exchanged_.emplace(there_->list(std::move(exchanged)));
+  exchanged_ = std::move(exchanged);
+  needs_velocities_ = !steered_.empty() || part_.owned_nodes < static_cast<Index>(part_.node_ids.size());
   surface_.emplace(there_->list(surface_nodes()));
   choose_nodes({}, 1);
 }
@@ -80,13 +82,13 @@ void AcceleratedBody::advance_velocities(const Step& step, std::span<NodeForce> 
   const solid::Kick kick = kick_of(step, mass_damping_, gravity_);
   there_->advance(kick, is_alone() ? Displacements::follow : Displacements::stay);
   there_->push(*chosen_, kick, force);
-  if (exchanged_->nodes.empty()) {
+  if (!needs_velocities_) {
     return;
   }
-  there_->read(*exchanged_, state);
+  there_->read(*followed_, state);
   if (!steered_.empty()) {
     constraints_.steer(number_, step, mass_, state, work);
-    there_->write(*exchanged_, state);
+    there_->write(*followed_, state);
   }
 }
 
@@ -106,7 +108,7 @@ void AcceleratedBody::choose_nodes(std::span<const Index> nodes, int /*most_at_o
     return;
   }
   std::vector<Index> followed = chosen;
-  followed.insert(followed.end(), exchanged_->nodes.begin(), exchanged_->nodes.end());
+  followed.insert(followed.end(), exchanged_.begin(), exchanged_.end());
   keep_each_once(followed);
   chosen_.emplace(there_->list(std::move(chosen)));
   followed_.emplace(there_->list(std::move(followed)));

@@ -47,7 +47,8 @@ class AcceleratedBody : public FiniteElementBody {
   bool is_loaded_ = false;      ///< the accelerator has the present motion
   std::optional<accelerated::AcceleratedSolid> there_;  ///< from begin() on, as are the lists
   std::optional<NodeList> ghosts_;                      ///< of other ranks
-  std::optional<NodeList> exchanged_;                   ///< whose velocities the processor needs or changes
+  std::vector<Index> exchanged_;                        ///< whose motion the processor needs in each step, or changes
+  bool needs_velocities_ = false;                       ///< of the nodes it follows, before they move: ghosts elsewhere
   std::optional<NodeList> surface_;                     ///< owned
   std::optional<NodeList> chosen_;                      ///< on which forces act
   std::optional<NodeList> followed_;                    ///< chosen or exchanged: up to date after each step

@@ -45,7 +45,7 @@ class AcceleratedSolid {
   [[nodiscard]] NodeList list(std::vector<Index> nodes) const;
   /// Nodes of the body's elements that other ranks own.
   [[nodiscard]] const std::vector<Index>& ghosts() const { return ghosts_; }
-  /// Owned nodes that are ghosts of others: those of elements with a ghost.
+  /// Owned nodes of elements with a ghost: they are ghosts of others.
   [[nodiscard]] const std::vector<Index>& shared() const { return shared_; }
 
   /// The states of some nodes, from the accelerator and to it.

@@ -38,10 +38,10 @@ static void symmetric_sum(const double a[3][3], const double b[3][3], const doub
 /// The strain whose stress acts, from displacement gradients H and velocity gradients V. Green's strain is E of H.
 /// @param material  of the region
 /// @param memory    overstrains of the point: MECHANISMS x 6, `points` apart
-static void effective_strain(constant const double* material, double step, const double h[3][3], const double v[3][3],
+static void effective_strain(global const double* material, double step, const double h[3][3], const double v[3][3],
                              int points, global double* memory, double strain[6]) {
 #if RATES
-  constant const double* law = material + LAW;
+  global const double* law = material + LAW;
   if (law[0] == 0.0) {  // Kelvin and Voigt: E + beta E'
     double delayed[3][3];
     for (int i = 0; i < 3; ++i) {
@@ -76,7 +76,7 @@ static void effective_strain(constant const double* material, double step, const
 }
 
 /// Second Piola-Kirchhoff stress, times `weight`. Its order is that of strains.
-static void stress_of(constant const double* material, const double strain[6], double weight, double stress[6]) {
+static void stress_of(global const double* material, const double strain[6], double weight, double stress[6]) {
   for (int i = 0; i < 6; ++i) {
     stress[i] = weight * material[36 + i];  // where the body rests
     for (int j = 0; j < 6; ++j) {
@@ -94,7 +94,7 @@ static void stress_of(constant const double* material, const double strain[6], d
 /// @param flux            [direction of xi][component][points]
 kernel void stress_points(int points, global const int* nodes, global const int* region,
                           global const int* first_geometry, global const double* geometry,
-                          constant const double* materials, double step, global const double4* displacement,
+                          global const double* materials, double step, global const double4* displacement,
                           global const double4* velocity, global double* memory, global double* flux) {
   const int number = get_global_id(0);
   if (number >= points) {
@@ -112,7 +112,7 @@ kernel void stress_points(int points, global const int* nodes, global const int*
   differentiate(point, here, velocity, slope);
   transform(slope, inverse, v);
 #endif
-  constant const double* material = materials + region[element] * MATERIAL;
+  global const double* material = materials + region[element] * MATERIAL;
   double strain[6], stress[6];
   effective_strain(material, step, h, v, points, memory + number, strain);
   stress_of(material, strain, -weights[point] * inverse[9], stress);
