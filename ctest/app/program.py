@@ -1,5 +1,6 @@
 """Starts the program as a user would, and looks at what it left. The tests beside this file use it."""
 import contextlib
+import itertools
 import os
 import pathlib
 import pty
@@ -101,6 +102,19 @@ class TestCase(unittest.TestCase):
 
     def require_status(self, job, status):
         self.assertEqual(job.returncode, status, f"{' '.join(map(str, job.args))}\n{job.stdout}\n{job.stderr}")
+
+    def run_in_jobs(self, name, output, *arguments, ranks, options=((),)):
+        """Runs a deck by one job after another. Each stops at the end of its first block, and the next one goes on.
+        @param ranks    of each job, at most so many
+        @param options  further arguments of the first job, the second one, ..., then of the first one again
+        @return         number of jobs"""
+        limit = "--set", "time.wall_clock_limit=1e-6"
+        for number, (n, more) in enumerate(zip(ranks, itertools.cycle(options)), start=1):
+            job = run(name, output, *arguments, *limit, "--resume", *more, ranks=n)
+            if job.returncode == FINISHED:
+                return number
+            self.require_status(job, RESUMABLE)
+        return self.fail(f"{name} has not ended after {number} jobs")
 
     def require_same(self, path, expected):
         """Requires all datasets of two results to agree to the bit."""

@@ -44,13 +44,7 @@ class Accelerator(program.TestCase):
     def test_a_run_goes_on_on_the_other_side(self):
         settings = "--set", "time.duration=0.006"
         expected = self.run_deck("simple", "whole", *settings)
-        limit = "--set", "time.wall_clock_limit=1e-6"  # stops at the end of the first block of each job
-        for chosen, ranks in 5 * ((ACCELERATOR, 2), ((), 1)):
-            job = program.run("simple", self.output / "turns", *settings, *limit, "--resume", *chosen, ranks=ranks)
-            if job.returncode == program.FINISHED:
-                break
-            self.require_status(job, program.RESUMABLE)
-        self.require_status(job, program.FINISHED)
+        self.run_in_jobs("simple", self.output / "turns", *settings, ranks=5 * (2, 1), options=(ACCELERATOR, ()))
         self.require_alike(program.contents(self.output / "turns" / "simple.h5"), expected, 1e-8)
 
     def test_what_a_device_cannot_do_is_refused(self):

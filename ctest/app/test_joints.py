@@ -59,13 +59,7 @@ class Joints(program.TestCase):
         alone = program.contents(self.output / "one" / "joined.h5")
         self.require_status(program.run("joined", self.output / "two", *modal, ranks=2), program.FINISHED)
         self.require_same(self.output / "two" / "joined.h5", alone)
-        limit = "--set", "time.wall_clock_limit=1e-6"
-        for ranks in (2, 1, 2, 1, 2, 1, 2, 1):
-            job = program.run("joined", self.output, *modal, *limit, "--resume", ranks=ranks)
-            if job.returncode == program.FINISHED:
-                break
-            self.require_status(job, program.RESUMABLE)
-        self.require_status(job, program.FINISHED)
+        self.run_in_jobs("joined", self.output, *modal, ranks=4 * (2, 1))
         self.require_same(self.output / "joined.h5", alone)
 
     def test_check_counts_the_states_of_ghosts_beside_modal_bodies(self):

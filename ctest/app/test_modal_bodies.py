@@ -52,13 +52,7 @@ class ModalBodies(program.TestCase):
             with self.subTest(ranks=ranks):
                 self.result("touching", str(ranks), *models, ranks=ranks)
                 self.require_same(self.output / str(ranks) / "touching.h5", expected)
-        limit = "--set", "time.wall_clock_limit=1e-6"
-        for ranks in (3, 2, 1, 2, 3, 1, 2, 1):
-            job = program.run("touching", self.output, *models, *limit, "--resume", ranks=ranks)
-            if job.returncode == program.FINISHED:
-                break
-            self.require_status(job, program.RESUMABLE)
-        self.require_status(job, program.FINISHED)
+        self.run_in_jobs("touching", self.output, *models, ranks=(3, 2, 1, 2, 3, 1, 2, 1))
         self.require_same(self.output / "touching.h5", expected)
 
     def test_same_bits_where_each_rank_has_a_modal_body(self):

@@ -32,15 +32,7 @@ class SameBits(program.TestCase):
     def check_interruptions(self, name):
         """Each job on another number of ranks, from one to four, computes a part."""
         expected = self.reference(name)
-        limit = "--set", "time.wall_clock_limit=1e-6"  # stops at the end of the first block of each job, of 16 samples
-        jobs = 0
-        for ranks in 2 * (4, 2, 1, 3, 2, 3):
-            job = program.run(name, self.output, *limit, "--resume", ranks=ranks)
-            jobs += 1
-            if job.returncode == program.FINISHED:
-                break
-            self.require_status(job, program.RESUMABLE)
-        self.require_status(job, program.FINISHED)
+        jobs = self.run_in_jobs(name, self.output, ranks=2 * (4, 2, 1, 3, 2, 3))  # blocks have 16 samples
         self.assertGreaterEqual(jobs, 4)
         self.require_same(self.output / f"{name}.h5", expected)
         return expected

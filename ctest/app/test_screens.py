@@ -135,15 +135,7 @@ class Screens(Heard):
     def test_a_resumed_run_hears_the_same_bits(self):
         screen = "--set", "radiation.screens={roof: {corners: [[-0.1, -5, 0.15], [-0.1, 5, 0.15], [5, 5, 0.15], [5, -5, 0.15]]}}"
         self.require_status(program.run("simple", self.output / "whole", *screen), program.FINISHED)
-        limit = "--set", "time.wall_clock_limit=1e-6", "--resume"
-        jobs = 0
-        for ranks in 4 * (3, 1, 2):
-            jobs += 1
-            job = program.run("simple", self.output / "parts", *screen, *limit, ranks=ranks)
-            if job.returncode != program.RESUMABLE:
-                break
-        self.require_status(job, program.FINISHED)
-        self.assertGreater(jobs, 2)
+        self.assertGreater(self.run_in_jobs("simple", self.output / "parts", *screen, ranks=4 * (3, 1, 2)), 2)
         whole, parts = (program.contents(self.output / name / "simple.h5") for name in ("whole", "parts"))
         self.assertGreater(abs(whole["audio/ear"]).max(), 0)
         self.assertEqual(parts["audio/ear"].tobytes(), whole["audio/ear"].tobytes())

@@ -27,13 +27,7 @@ class Waves(program.TestCase):
             self.assertGreater(abs(expected[path]).max(), 0, path)
         for n in ranks:
             self.require_same(self.run_waves(settings, f"on_{n}", ranks=n), expected)
-        limit = "--set", "time.wall_clock_limit=1e-6"  # stops at the end of the first block of each job
-        for n in 5 * (2, 1):
-            job = program.run("simple", self.output / "stopped", *settings, *limit, "--resume", ranks=n)
-            if job.returncode == program.FINISHED:
-                break
-            self.require_status(job, program.RESUMABLE)
-        self.require_status(job, program.FINISHED)
+        self.run_in_jobs("simple", self.output / "stopped", *settings, ranks=5 * (2, 1))
         self.require_same(self.output / "stopped" / "simple.h5", expected)
         return expected
 
@@ -65,13 +59,7 @@ class Waves(program.TestCase):
         self.require_an_accelerator()
         settings = *BACK, "--set", "radiation.wall_losses=true"
         expected = program.contents(self.run_waves(settings, "processor"))
-        limit = "--set", "time.wall_clock_limit=1e-6"  # stops at the end of the first block of each job
-        for chosen, ranks in 3 * ((ACCELERATOR, 2), ((), 1)):
-            job = program.run("simple", self.output / "turns", *settings, *limit, "--resume", *chosen, ranks=ranks)
-            if job.returncode == program.FINISHED:
-                break
-            self.require_status(job, program.RESUMABLE)
-        self.require_status(job, program.FINISHED)
+        self.run_in_jobs("simple", self.output / "turns", *settings, ranks=3 * (2, 1), options=(ACCELERATOR, ()))
         found = program.contents(self.output / "turns" / "simple.h5")
         for path in expected:
             if path.startswith("audio/"):

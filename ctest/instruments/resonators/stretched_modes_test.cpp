@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "idiophone/instruments/resonators/point_contacts.hpp"
+#include "runge_kutta.hpp"
 #include "stretched_body.hpp"
 
 namespace idiophone::resonators {
@@ -28,12 +29,7 @@ std::vector<Eigen::VectorXd> reference(const StretchedBody& body, const Eigen::V
     if (part % parts == 0) {
       found.push_back(q);
     }
-    const Eigen::VectorXd a1 = acceleration(q), v2 = v + h / 2 * a1;
-    const Eigen::VectorXd a2 = acceleration(q + h / 2 * v), v3 = v + h / 2 * a2;
-    const Eigen::VectorXd a3 = acceleration(q + h / 2 * v2), v4 = v + h * a3;
-    const Eigen::VectorXd a4 = acceleration(q + h * v3);
-    q += h / 6 * (v + 2 * v2 + 2 * v3 + v4);
-    v += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+    support::runge_kutta_step(acceleration, h, q, v);
   }
   return found;
 }

@@ -6,6 +6,7 @@
 
 #include "long_verification.hpp"
 #include "modal_coordinates.hpp"
+#include "runge_kutta.hpp"
 
 namespace idiophone::modal_bodies {
 namespace {
@@ -194,12 +195,7 @@ Eigen::VectorXd reference(const ModalBasis& basis, Eigen::VectorXd q, double tim
   const double h = time / steps;
   Eigen::VectorXd v = 0.0 * q;
   for (int step = 0; step < steps; ++step) {
-    const Eigen::VectorXd a1 = acceleration(q), v2 = v + h / 2 * a1;
-    const Eigen::VectorXd a2 = acceleration(q + h / 2 * v), v3 = v + h / 2 * a2;
-    const Eigen::VectorXd a3 = acceleration(q + h / 2 * v2), v4 = v + h * a3;
-    const Eigen::VectorXd a4 = acceleration(q + h * v3);
-    q += h / 6 * (v + 2 * v2 + 2 * v3 + v4);
-    v += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+    support::runge_kutta_step(acceleration, h, q, v);
   }
   return q;
 }

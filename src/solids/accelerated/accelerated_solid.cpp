@@ -95,7 +95,7 @@ AcceleratedSolid::AcceleratedSolid(accelerator::Accelerator& accelerator, const 
 AcceleratedSolid::~AcceleratedSolid() = default;
 
 void AcceleratedSolid::find_borders(const mesh::BodyPart& body) {
-  const auto is_own = [this](Index node) { return node >= begin_ && node < begin_ + owned_; };
+  const auto is_own = [this](Index node) { return owns(node); };
   for (std::size_t element = 0; element < body.element_ids.size(); ++element) {
     const std::span<const Index> nodes = body.element_nodes(element);
     if (std::ranges::all_of(nodes, is_own)) {
@@ -111,7 +111,7 @@ void AcceleratedSolid::find_borders(const mesh::BodyPart& body) {
 
 /// The number of a node on the accelerator.
 Index AcceleratedSolid::number(Index node) const {
-  if (node >= begin_ && node < begin_ + owned_) {
+  if (owns(node)) {
     return node - begin_;
   }
   return owned_ + static_cast<Index>(std::ranges::lower_bound(ghosts_, node) - ghosts_.begin());

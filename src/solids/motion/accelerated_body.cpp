@@ -35,20 +35,18 @@ void AcceleratedBody::begin(double step) {
   const auto held = steered_.empty() ? constraints_.held_components(number_) : std::span<const Index>();
   there_.emplace(accelerator_, body_, part_.reference, solid_, mass_, held, step);
   ghosts_.emplace(there_->list(there_->ghosts()));
-  std::vector<Index> exchanged = steered_;
-  exchanged.insert(exchanged.end(), there_->shared().begin(), there_->shared().end());
-  keep_each_once(exchanged);
-  exchanged_ = std::move(exchanged);
+  exchanged_ = steered_;
+  exchanged_.insert(exchanged_.end(), there_->shared().begin(), there_->shared().end());
   needs_velocities_ = !steered_.empty() || part_.owned_nodes < static_cast<Index>(part_.node_ids.size());
-  surface_.emplace(there_->list(surface_nodes()));
+  surface_.emplace(there_->list(owned(part_.vertices)));
   choose_nodes({}, 1);
 }
 
-std::vector<Index> AcceleratedBody::surface_nodes() const {
-  std::vector<Index> nodes;
-  std::ranges::copy_if(part_.vertices, std::back_inserter(nodes),
+std::vector<Index> AcceleratedBody::owned(std::span<const Index> nodes) const {
+  std::vector<Index> here;
+  std::ranges::copy_if(nodes, std::back_inserter(here),
                        [this](Index node) { return node >= body_.owned_begin && node < body_.owned_end; });
-  return nodes;
+  return here;
 }
 
 void AcceleratedBody::start(const scene::Body& body, const Vector3& centre, std::span<NodeState> state) {
@@ -100,9 +98,7 @@ void AcceleratedBody::advance_displacements(const Step& /*step*/, std::span<Node
 }
 
 void AcceleratedBody::choose_nodes(std::span<const Index> nodes, int /*most_at_once*/) {
-  std::vector<Index> chosen;
-  std::ranges::copy_if(nodes, std::back_inserter(chosen),
-                       [this](Index node) { return node >= body_.owned_begin && node < body_.owned_end; });
+  std::vector<Index> chosen = owned(nodes);
   keep_each_once(chosen);
   if (chosen_ && chosen == chosen_->nodes) {
     return;

@@ -40,7 +40,8 @@ class AcceleratedBody : public FiniteElementBody {
   using NodeList = accelerated::NodeList;
 
   [[nodiscard]] bool is_alone() const { return followed_->nodes.empty(); }
-  [[nodiscard]] std::vector<Index> surface_nodes() const;
+  /// Those nodes that are owned ones of the body.
+  [[nodiscard]] std::vector<Index> owned(std::span<const Index> nodes) const;
 
   accelerator::Accelerator& accelerator_;
   std::vector<Index> steered_;  ///< nodes of groups that are driven, and of those that are held beside them

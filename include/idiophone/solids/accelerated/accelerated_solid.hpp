@@ -70,6 +70,7 @@ class AcceleratedSolid {
   void for_each_overstrain(const solid::Solid& solid, std::size_t element, Visitor visit) const;
   void load_memory(solid::Solid& solid);
   void find_borders(const mesh::BodyPart& body);
+  [[nodiscard]] bool owns(Index node) const { return node >= begin_ && node < begin_ + owned_; }
   [[nodiscard]] Index number(Index node) const;
 
   Index begin_, owned_;  ///< the first owned node of the body, and how many there are
