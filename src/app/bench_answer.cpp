@@ -23,20 +23,6 @@ std::vector<double> list_of(const Eigen::VectorXd& vector) {
   return {vector.begin(), vector.end()};
 }
 
-std::string word_of(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::in_tune:
-      return "in_tune";
-    case Verdict::cut:
-      return "cut";
-    case Verdict::not_safe:
-      return "not_safe";
-    case Verdict::out_of_reach:
-      return "out_of_reach";
-  }
-  return "";
-}
-
 /// Where the effect of a tool is shown, m: evenly from end to end, as far as its cuts lie within the body.
 std::vector<double> places_shown(const bench::Strips& strips, const bench::Tool& tool) {
   const double low = strips.low() + tool.radius;
@@ -62,14 +48,14 @@ void print_cents(const Eigen::VectorXd& cents) {
   fmt::print("\n");
 }
 
-/// The cuts that were made, and those to make now.
-std::vector<Cut> cuts_then(const BenchAnswer& answer) {
-  std::vector<Cut> cuts = answer.made;
+/// The cuts and taps so far, and the cuts to make now.
+bench::Past past_then(const BenchAnswer& answer) {
+  bench::Past past = answer.past;
   if (!answer.plan.visits.empty()) {
     const std::vector<Cut>& next = answer.plan.visits.front().cuts;
-    cuts.insert(cuts.end(), next.begin(), next.end());
+    past.cuts.insert(past.cuts.end(), next.begin(), next.end());
   }
-  return cuts;
+  return past;
 }
 
 json to_json(const std::vector<Cut>& cuts) {
@@ -87,8 +73,8 @@ json to_json(const std::vector<Cut>& cuts) {
 void print_distances(const BenchAnswer& answer) {
   fmt::print("{:>4}  {:>12}  {:>12}  {:>11}  {:>12}  {:>13}\n", "mode", "computed/Hz", "measured/Hz", "shift/cents",
              "wanted/Hz", "missing/cents");
-  for (std::size_t p = 0; p < answer.partials.size(); ++p) {
-    const BenchPartial& partial = answer.partials[p];
+  for (std::size_t p = 0; p < answer.session.partials.size(); ++p) {
+    const BenchPartial& partial = answer.session.partials[p];
     fmt::print("{:>4}  {:>12.3f}  ", partial.mode, partial.computed);
     if (partial.line) {
       fmt::print("{:>12.3f}  {:>+11.2f}", partial.line->frequency,
@@ -100,11 +86,41 @@ void print_distances(const BenchAnswer& answer) {
   }
 }
 
+void print_learned(const BenchAnswer& answer) {
+  if (!answer.session.learned) {
+    return;
+  }
+  const bench::Learned& learned = *answer.session.learned;
+  fmt::print("\n{:<16}  {:>9}  {:>9}\n", "by the taps", "change", "deviation");
+  for (const bench::Estimate& constant : learned.constants) {
+    fmt::print("{:<16}  {:>+9.3f}  {:>9.3f}\n", constant.name, constant.expected, constant.deviation);
+  }
+  for (std::size_t cut = 0; cut < learned.depths.size(); ++cut) {
+    fmt::print("{:<16}  {:>+9.3f}  {:>9.3f}\n", fmt::format("depth {}/mm", cut + 1), 1e3 * learned.depths[cut].expected,
+               1e3 * learned.depths[cut].deviation);
+  }
+}
+
+json to_json(const std::optional<bench::Learned>& learned) {
+  if (!learned) {
+    return {};
+  }
+  json facts = {{"probability", learned->probability}, {"constants", json::array()}, {"depths", json::array()}};
+  for (const bench::Estimate& constant : learned->constants) {
+    facts["constants"].push_back(
+        {{"name", constant.name}, {"change", constant.expected}, {"deviation", constant.deviation}});
+  }
+  for (const bench::Estimate& depth : learned->depths) {
+    facts["depths"].push_back({{"change", depth.expected}, {"deviation", depth.deviation}});
+  }
+  return facts;
+}
+
 void print_effects(const BenchAnswer& answer) {
   const bench::Tool& tool = answer.tools.front();
   fmt::print("\ncents of a cut of 1 mm by {}:{:g} at the side {}\n{:>10}", tool.name, tool.radius, name_of(answer.side),
              fmt::format("{}/mm", axis_name(answer.side)));
-  print_heads(answer.partials);
+  print_heads(answer.session.partials);
   for (const double place : places_shown(answer.strips, tool)) {
     fmt::print("{:>10.1f}", place * 1e3);
     print_cents(per_millimetre * slopes_of(answer.strips, tool, place));
@@ -114,7 +130,7 @@ void print_effects(const BenchAnswer& answer) {
 void print_cuts(const BenchAnswer& answer) {
   fmt::print("\n{:<8}  {:>8}  {:>8}  {:>8}", "next cut", fmt::format("{}/mm", axis_name(answer.side)), "width/mm",
              "depth/mm");
-  print_heads(answer.partials);
+  print_heads(answer.session.partials);
   const bench::Visit& next = answer.plan.visits.front();
   for (const Cut& cut : next.cuts) {
     fmt::print("{:<8}  {:>8.1f}  {:>8.1f}  {:>8.2f}", cut.tool.name, cut.place * 1e3, 2 * cut.tool.radius * 1e3,
@@ -136,19 +152,41 @@ void print_later_visits(const BenchAnswer& answer) {
 }
 
 void print_list(const BenchAnswer& answer) {
-  fmt::print("\nfor --cuts, when these are made:\n{}", bench::text_of(cuts_then(answer), answer.side));
+  fmt::print("\nfor --cuts, when these are made:\n{}", bench::text_of(past_then(answer), answer.side));
 }
 
 }  // namespace
+
+std::string word_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::in_tune:
+      return "in_tune";
+    case Verdict::ambiguous:
+      return "ambiguous";
+    case Verdict::cut:
+      return "cut";
+    case Verdict::not_safe:
+      return "not_safe";
+    case Verdict::out_of_reach:
+      return "out_of_reach";
+  }
+  return "";
+}
 
 std::string advice(const BenchAnswer& answer) {
   const Plan& plan = answer.plan;
   switch (plan.verdict) {
     case Verdict::in_tune:
       return "all partials are within the tolerance";
+    case Verdict::ambiguous:
+      return answer.session.doubt;
     case Verdict::cut:
       return "make these cuts, and tap again";
     case Verdict::not_safe:
+      if (!plan.is_settled) {
+        return "the cuts that the slopes allow pass a target in the solved body, even where they are as shallow as "
+               "--depth-error: choose other tools, or another side";
+      }
       return "any cut may pass a target: give a smaller --depth-error, a tool with a smaller radius, or more exact "
              "measurements";
     case Verdict::out_of_reach:
@@ -160,15 +198,18 @@ std::string advice(const BenchAnswer& answer) {
   return fmt::format(
       "no removal at the side {} reaches the targets: mode {} stays {:.1f} cents too {} at best. Choose another side, "
       "other tools, or a lower target",
-      name_of(answer.side), answer.partials[worst].mode, std::abs(cents), cents > 0 ? "high" : "low");
+      name_of(answer.side), answer.session.partials[worst].mode, std::abs(cents), cents > 0 ? "high" : "low");
 }
 
 void print(const BenchAnswer& answer) {
   print_distances(answer);
+  print_learned(answer);
   print_effects(answer);
   if (!answer.plan.visits.empty()) {
     print_cuts(answer);
     print_later_visits(answer);
+  }
+  if (!answer.plan.visits.empty() || !answer.past.taps.empty()) {
     print_list(answer);
   }
   fmt::print("\n{}\n", advice(answer));
@@ -181,13 +222,18 @@ json to_json(const BenchAnswer& answer) {
                 {"advice", advice(answer)},
                 {"side", name_of(answer.side)},
                 {"along", std::string(1, axis_name(answer.side))},
+                {"learned", to_json(answer.session.learned)},
+                {"tap_at", json()},
                 {"partials", json::array()},
                 {"effects", json::array()},
                 {"visits", json::array()}};
+  if (answer.session.decisive) {
+    facts["tap_at"] = {answer.session.decisive->x(), answer.session.decisive->y(), answer.session.decisive->z()};
+  }
   const Eigen::VectorXd& expected = plan.visits.empty() ? plan.errors : plan.visits.front().expected;
   const Eigen::VectorXd& uncertainties = plan.visits.empty() ? plan.measured : plan.visits.front().uncertainties;
-  for (std::size_t p = 0; p < answer.partials.size(); ++p) {
-    const BenchPartial& partial = answer.partials[p];
+  for (std::size_t p = 0; p < answer.session.partials.size(); ++p) {
+    const BenchPartial& partial = answer.session.partials[p];
     const auto place = static_cast<Eigen::Index>(p);
     facts["partials"].push_back(
         {{"mode", partial.mode},
@@ -213,7 +259,7 @@ json to_json(const BenchAnswer& answer) {
   for (const bench::Visit& visit : plan.visits) {
     facts["visits"].push_back({{"cuts", to_json(visit.cuts)}, {"expected", list_of(visit.expected)}});
   }
-  facts["cuts_file"] = bench::text_of(cuts_then(answer), answer.side);
+  facts["cuts_file"] = bench::text_of(past_then(answer), answer.side);
   return facts;
 }
 

@@ -55,6 +55,15 @@ TEST(NonnegativeLeastSquares, FulfilsTheConditionsOfTheLeast) {
   }
 }
 
+TEST(Tools, NarrowerThanTheBodyAreDoubted) {
+  std::vector<Tool> tools = read_tools({"router:0.003", "sander:0.02"});
+  const std::vector<Tool> narrow = doubt_narrow_tools(tools, 0.007);
+  ASSERT_EQ(narrow.size(), 1U);
+  EXPECT_EQ(narrow[0].radius, 0.003);
+  EXPECT_GT(tools[0].slope_error, 0.3);
+  EXPECT_EQ(tools[1].slope_error, 0.0);
+}
+
 constexpr double length = 0.3, width = 0.05, height = 0.02;  // m
 
 /// A block whose slopes are 1 and x, in cents/m3.
@@ -231,6 +240,43 @@ TEST(Plan, EndsWhereThePartialsAreInTune) {
 
 TEST(Plan, SaysWhatIsNotSafe) {
   EXPECT_EQ(plan_for({20, 10}, {.depth_error = 5e-4}).verdict, Verdict::not_safe);
+}
+
+TEST(Plan, MakesCutsOfDoubtedToolsShallower) {
+  std::vector<Tool> doubted = both_tools;
+  for (Tool& tool : doubted) {
+    tool.slope_error = 0.5;
+  }
+  const Partials partials{Eigen::Vector2d(60, 30), Eigen::Vector2d(0.5, 0.5), false};
+  const Plan plan = plan_cuts(straight(bar()), doubted, partials, {});
+  ASSERT_EQ(plan.verdict, Verdict::cut);
+  EXPECT_GT(plan.visits.front().expected.norm(), plan_for({60, 30}).visits.front().expected.norm());
+}
+
+// This body jumps too far at its first cut, whatever the slopes say; the jump of the other one ends at shallow cuts.
+TEST(Plan, MakesCutsShallowerOrRefusesThemWhereTheSolvedBodyGoesTooFar) {
+  const auto jumping = [](double harmless) -> CutModel {
+    return [harmless](const std::vector<Cut>& cuts) {
+      CutBody body = straight(bar())(cuts);
+      double depth = 0.0;
+      for (const Cut& cut : cuts) {
+        depth = std::max(depth, cut.depth);
+      }
+      if (depth > harmless) {
+        body.moved.array() -= 500;
+      }
+      return body;
+    };
+  };
+  const Partials partials{Eigen::Vector2d(60, 30), Eigen::Vector2d(0.5, 0.5), false};
+  const Plan never = plan_cuts(jumping(0), both_tools, partials, {});
+  EXPECT_EQ(never.verdict, Verdict::not_safe);
+  EXPECT_FALSE(never.is_settled);
+  const Plan shallow = plan_cuts(jumping(4e-4), both_tools, partials, {});
+  EXPECT_EQ(shallow.verdict, Verdict::cut);
+  expect_safe(shallow, 3);
+  const Plan careful = plan_for({20, 10}, {.depth_error = 5e-4});
+  EXPECT_TRUE(careful.is_settled);
 }
 
 TEST(Plan, SaysWhatIsOutOfReach) {

@@ -29,7 +29,8 @@ StrainedBody reduced_block() {
 Measurements noisy_lines(StrainedBody body, const scene::Material& material, std::mt19937& generator) {
   std::normal_distribution<double> error(0, read_within);
   Measurements measured;
-  for (const double frequency : body.lowest(material, lines_read).frequencies(material).head(lines_read)) {
+  const Eigen::VectorXd frequencies = body.lowest(material, lines_read).frequencies(material);
+  for (const double frequency : frequencies.head(lines_read)) {
     measured.lines.push_back({.frequency = frequency * std::exp2(error(generator) / 1200), .uncertainty = read_within});
   }
   std::ranges::sort(measured.lines, {}, &Line::frequency);

@@ -1,5 +1,6 @@
 #include "certainty.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace idiophone::bench {
@@ -29,10 +30,10 @@ VectorXd Certainty::after(const std::vector<Cut>& cuts) const {
   ArrayXd squares = measured_.array().square();
   VectorXd moved = VectorXd::Zero(measured_.size());
   for (const Cut& cut : cuts) {
-    moved += cut.cents;
+    moved += std::max(options_.slope_error, cut.tool.slope_error) * cut.cents;
     squares += (options_.depth_error / cut.depth * of_intervals(cut.cents).array()).square();
   }
-  ArrayXd by_slopes = (options_.slope_error * moved.array()).square();
+  ArrayXd by_slopes = moved.array().square();
   if (are_ratios_) {
     const double of_first = by_slopes[0];
     by_slopes += of_first;

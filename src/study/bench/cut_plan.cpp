@@ -1,6 +1,5 @@
 #include "idiophone/study/bench/cut_plan.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -8,8 +7,8 @@
 #include <utility>
 
 #include "allowed_depths.hpp"
+#include "candidates.hpp"
 #include "certainty.hpp"
-#include "nonnegative.hpp"
 
 namespace idiophone::bench {
 
@@ -18,48 +17,38 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int strides_of_radius = 4;  // places of a tool lie a quarter of its radius apart
+/// Whether cuts of doubted tools may be chosen. They are where no others are safe.
+enum class Doubted { refused, allowed };
 
-/// A cut that may be made.
-struct Candidate {
-  Tool tool;
-  double place = 0.0;
+/// Cuts of one visit, and the body with them.
+struct Trial {
+  Visit visit;
+  std::vector<Cut> all;  ///< with those of earlier visits
+  CutBody body;
+  VectorXd moved;   ///< [partials] cents by which the cuts of this visit move them
+  MatrixXd slopes;  ///< [partials x candidates] half-way between the bodies before and after them, cents/m
 };
 
-/// Cuts that lie within the body.
-std::vector<Candidate> candidates_of(const Strips& strips, const std::vector<Tool>& tools) {
-  std::vector<Candidate> candidates;
-  for (const Tool& tool : tools) {
-    const double stride = tool.radius / strides_of_radius;
-    for (double place = strips.low() + tool.radius; place <= strips.high() - tool.radius + 1e-9; place += stride) {
-      candidates.push_back({tool, place});
+/// Cuts of a share of their depths, without those that are shallower than `shallowest`.
+std::vector<Cut> shallower(const std::vector<Cut>& cuts, double share, double shallowest) {
+  std::vector<Cut> result;
+  for (Cut cut : cuts) {
+    cut.depth *= share;
+    if (cut.depth >= shallowest) {
+      result.push_back(std::move(cut));
     }
   }
-  return candidates;
-}
-
-/// [partials x candidates] cents/m
-MatrixXd slopes_of(const Strips& strips, const std::vector<Candidate>& candidates) {
-  MatrixXd slopes(strips.slopes.rows(), static_cast<Eigen::Index>(candidates.size()));
-  for (std::size_t c = 0; c < candidates.size(); ++c) {
-    slopes.col(static_cast<Eigen::Index>(c)) = slopes_of(strips, candidates[c].tool, candidates[c].place);
-  }
-  return slopes;
-}
-
-VectorXd sum_of(const std::vector<Cut>& cuts, Eigen::Index partials) {
-  VectorXd sum = VectorXd::Zero(partials);
-  for (const Cut& cut : cuts) {
-    sum += cut.cents;
-  }
-  return sum;
+  return result;
 }
 
 class Planner {
  public:
   Planner(const CutModel& model, const std::vector<Tool>& tools, const Partials& partials, const PlanOptions& options)
-      : model_(model), options_(options), certainty_(partials, options), body_(model({})) {
-    candidates_ = candidates_of(body_.strips, tools);
+      : model_(model),
+        options_(options),
+        certainty_(partials, options),
+        body_(model({})),
+        candidates_(body_.strips, tools) {
     plan_.errors = certainty_.of_intervals(partials.cents);
     plan_.measured = certainty_.measured();
   }
@@ -90,39 +79,23 @@ class Planner {
 
  private:
   [[nodiscard]] VectorXd unreachable_from(const VectorXd& errors) const {
-    const MatrixXd moves = certainty_.of_intervals(slopes_of(body_.strips, candidates_));
+    const MatrixXd moves = certainty_.of_intervals(candidates_.slopes(body_.strips));
     return errors + moves * depths_for(moves, -errors, body_.strips.thickness / 2);
   }
 
   /// [candidates] m
   [[nodiscard]] VectorXd depths_for(const MatrixXd& moves, const VectorXd& goal, double deepest) const {
-    const auto overlap = [&](Eigen::Index a, Eigen::Index b) {
-      const Candidate& one = candidates_[static_cast<std::size_t>(a)];
-      const Candidate& other = candidates_[static_cast<std::size_t>(b)];
-      return std::abs(one.place - other.place) < one.tool.radius + other.tool.radius;
-    };
-    return allowed_depths(moves, goal, deepest, overlap);
-  }
-
-  /// Cuts of some depths, without those that are shallower than their error.
-  [[nodiscard]] std::vector<Cut> cuts_of(const MatrixXd& slopes, const VectorXd& depths) const {
-    std::vector<Cut> cuts;
-    for (Eigen::Index c = 0; c < depths.size(); ++c) {
-      if (depths[c] > 0 && depths[c] >= options_.depth_error) {
-        const Candidate& candidate = candidates_[static_cast<std::size_t>(c)];
-        cuts.push_back({candidate.tool, candidate.place, depths[c], depths[c] * slopes.col(c)});
-      }
-    }
-    std::ranges::sort(cuts, {}, &Cut::place);
-    return cuts;
+    return allowed_depths(moves, goal, deepest,
+                          [&](Eigen::Index a, Eigen::Index b) { return candidates_.overlap(a, b); });
   }
 
   /// [partials x candidates] by which those that may be made move the errors, cents/m; zero for all others
-  [[nodiscard]] MatrixXd allowed(const MatrixXd& slopes, const VectorXd& errors) const {
+  [[nodiscard]] MatrixXd allowed(const MatrixXd& slopes, const VectorXd& errors, Doubted doubted) const {
     MatrixXd moves = certainty_.of_intervals(slopes);
     for (Eigen::Index c = 0; c < moves.cols(); ++c) {
       const bool does_little = options_.deepest * moves.col(c).cwiseAbs().maxCoeff() < options_.tolerance / 2;
-      if (does_little || !certainty_.is_gentle(moves.col(c), errors)) {
+      const bool is_refused = doubted == Doubted::refused && candidates_.is_doubted(c);
+      if (is_refused || does_little || !certainty_.is_gentle(moves.col(c), errors)) {
         moves.col(c).setZero();
       }
     }
@@ -142,7 +115,8 @@ class Planner {
     double least = errors.norm();
     for (int round = 0; round < rounds; ++round) {
       left = (left + certainty_.to_leave(errors, certainty_.after(best))) / 2;
-      std::vector<Cut> cuts = cuts_of(slopes, depths_for(moves, left - from, options_.deepest));
+      std::vector<Cut> cuts =
+          candidates_.cuts(slopes, depths_for(moves, left - from, options_.deepest), options_.depth_error);
       const VectorXd expected = from + certainty_.of_intervals(sum_of(cuts, errors.size()));
       if (expected.norm() < least && certainty_.too_far(errors, expected, certainty_.after(cuts)).isZero()) {
         least = expected.norm();
@@ -155,7 +129,8 @@ class Planner {
   /// The next visit; none where no cut is safe, or a later one leaves the model, whose tap will tell.
   std::optional<Visit> visit_within_model(const VectorXd& errors) {
     try {
-      return next_visit(errors);
+      std::optional<Visit> visit = next_visit(errors, Doubted::refused);
+      return visit ? std::move(visit) : next_visit(errors, Doubted::allowed);
     } catch (const OutsideOfModel& outside) {
       if (plan_.visits.empty()) {
         throw OutsideOfModel(std::string("the next cuts can't be planned: ") + outside.what());
@@ -164,68 +139,84 @@ class Planner {
     }
   }
 
+  /// The body with some cuts more.
+  [[nodiscard]] Trial tried(std::vector<Cut> cuts, const MatrixXd& before, const VectorXd& errors) const {
+    Trial trial;
+    trial.all = made_;
+    trial.all.insert(trial.all.end(), cuts.begin(), cuts.end());
+    trial.body = model_(trial.all);
+    trial.moved = trial.body.moved - body_.moved;
+    trial.slopes = (before + candidates_.slopes(trial.body.strips)) / 2;
+    for (Cut& cut : cuts) {
+      cut.cents = cut.depth * trial.slopes.col(candidates_.number_of(cut));
+    }
+    trial.visit.expected = errors + certainty_.of_intervals(trial.moved);
+    trial.visit.uncertainties = certainty_.after(cuts);
+    trial.visit.cuts = std::move(cuts);
+    return trial;
+  }
+
+  /// By how much a trial may pass targets more than allowed. [partials] cents
+  [[nodiscard]] VectorXd too_far(const Trial& trial, const VectorXd& errors) const {
+    return certainty_.too_far(errors, trial.visit.expected, trial.visit.uncertainties);
+  }
+
+  [[nodiscard]] bool is_good(const Trial& trial, const VectorXd& errors) const {
+    return too_far(trial, errors).isZero() && trial.visit.expected.norm() < errors.norm();
+  }
+
+  Visit adopt(Trial trial) {
+    made_ = std::move(trial.all);
+    body_ = std::move(trial.body);
+    return std::move(trial.visit);
+  }
+
   /// The cuts of one visit: chosen by slopes, then made deeper or less deep by slopes half-way between the body before
-  /// and after them.
-  std::optional<Visit> next_visit(const VectorXd& errors) {
+  /// and after them. Where the rounds do not end, the cuts become shallower until they are safe.
+  std::optional<Visit> next_visit(const VectorXd& errors, Doubted doubted) {
     constexpr int most_rounds = 5;
-    const MatrixXd before = slopes_of(body_.strips, candidates_);
+    const MatrixXd before = candidates_.slopes(body_.strips);
     MatrixXd slopes = before;
-    MatrixXd moves = allowed(before, errors);
+    MatrixXd moves = allowed(before, errors, doubted);
     VectorXd beside = VectorXd::Zero(errors.size());
     VectorXd margin = beside;
+    std::vector<Cut> cuts;
     for (int round = 0; round < most_rounds; ++round) {
-      Visit visit;
-      visit.cuts = chosen(moves, slopes, beside + margin, errors);
-      if (visit.cuts.empty()) {
-        return {};
+      std::vector<Cut> next = chosen(moves, slopes, beside + margin, errors);
+      if (next.empty()) {
+        break;
       }
-      std::vector<Cut> all = made_;
-      all.insert(all.end(), visit.cuts.begin(), visit.cuts.end());
-      CutBody body = model_(all);
-      const VectorXd moved = body.moved - body_.moved;
-      slopes = (before + slopes_of(body.strips, candidates_)) / 2;
-      moves = only(visit.cuts, certainty_.of_intervals(slopes));
-      for (Cut& cut : visit.cuts) {
-        cut.cents = cut.depth * slopes.col(number_of(cut));
+      cuts = std::move(next);
+      Trial trial = tried(cuts, before, errors);
+      if (round > 0 && is_good(trial, errors)) {
+        return adopt(std::move(trial));
       }
-      beside = certainty_.of_intervals(moved - sum_of(visit.cuts, errors.size()));
-      visit.expected = errors + certainty_.of_intervals(moved);
-      visit.uncertainties = certainty_.after(visit.cuts);
-      const VectorXd too_far = certainty_.too_far(errors, visit.expected, visit.uncertainties);
-      margin += round > 0 ? too_far : VectorXd::Zero(errors.size());
-      if (round > 0 && too_far.isZero() && visit.expected.norm() < errors.norm()) {
-        made_ = std::move(all);
-        body_ = std::move(body);
-        return visit;
+      slopes = trial.slopes;
+      moves = candidates_.only(cuts, certainty_.of_intervals(slopes));
+      beside = certainty_.of_intervals(trial.moved - sum_of(trial.visit.cuts, errors.size()));
+      margin += round > 0 ? too_far(trial, errors) : VectorXd::Zero(errors.size());
+    }
+    return shallower_visit(std::move(cuts), before, errors);
+  }
+
+  std::optional<Visit> shallower_visit(std::vector<Cut> cuts, const MatrixXd& before, const VectorXd& errors) {
+    plan_.is_settled = cuts.empty();
+    constexpr double share = 0.6;
+    while (!(cuts = shallower(cuts, share, options_.depth_error)).empty()) {
+      Trial trial = tried(cuts, before, errors);
+      if (is_good(trial, errors)) {
+        plan_.is_settled = true;
+        return adopt(std::move(trial));
       }
     }
     return {};
-  }
-
-  /// The place of a cut's candidate in the list.
-  [[nodiscard]] Eigen::Index number_of(const Cut& cut) const {
-    return std::ranges::find_if(candidates_,
-                                [&](const Candidate& candidate) {
-                                  return candidate.place == cut.place && candidate.tool.name == cut.tool.name &&
-                                         candidate.tool.radius == cut.tool.radius;
-                                }) -
-           candidates_.begin();
-  }
-
-  /// Moves of the candidates of some cuts; zero for all others.
-  [[nodiscard]] MatrixXd only(const std::vector<Cut>& cuts, const MatrixXd& moves) const {
-    MatrixXd kept = MatrixXd::Zero(moves.rows(), moves.cols());
-    for (const Cut& cut : cuts) {
-      kept.col(number_of(cut)) = moves.col(number_of(cut));
-    }
-    return kept;
   }
 
   const CutModel& model_;
   const PlanOptions& options_;
   Certainty certainty_;
   CutBody body_;  ///< with the cuts of the visits so far
-  std::vector<Candidate> candidates_;
+  Candidates candidates_;
   std::vector<Cut> made_;  ///< at the visits so far
   Plan plan_;
 };
@@ -243,6 +234,14 @@ VectorXd slopes_of(const Strips& strips, const Tool& tool, double place) {
 Plan plan_cuts(const CutModel& model, const std::vector<Tool>& tools, const Partials& partials,
                const PlanOptions& options) {
   return Planner(model, tools, partials, options).plan();
+}
+
+Plan ambiguous_plan(const Partials& partials, const PlanOptions& options) {
+  const Certainty certainty(partials, options);
+  return {.verdict = Verdict::ambiguous,
+          .errors = certainty.of_intervals(partials.cents),
+          .measured = certainty.measured(),
+          .unreachable = VectorXd::Zero(partials.cents.size())};
 }
 
 }  // namespace idiophone::bench

@@ -89,6 +89,11 @@ char axis_name(const Side& side) {
   return "xyz"[side.along];
 }
 
+std::array<double, 2> ends_along(const mesh::Mesh& mesh, const Side& side) {
+  const Eigen::AlignedBox3d box = box_of(mesh);
+  return {box.min()[side.along], box.max()[side.along]};
+}
+
 std::vector<mesh::Triangle> side_faces(const mesh::Mesh& mesh, const Side& side) {
   std::vector<mesh::Triangle> faces;
   std::ranges::copy_if(mesh.outer_surface(), std::back_inserter(faces), [&](const mesh::Triangle& triangle) {

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <utility>
+
+#include "triangles_along.hpp"
 
 namespace idiophone::bench {
 
@@ -47,29 +50,31 @@ std::array<Vector3, 3> corners_of(const mesh::Mesh& mesh, const mesh::Triangle& 
   return {mesh.nodes[triangle[0]], mesh.nodes[triangle[1]], mesh.nodes[triangle[2]]};
 }
 
-double depth_at(const std::vector<Cut>& cuts, double along) {
-  double depth = 0.0;
-  for (const Cut& cut : cuts) {
-    depth += cut.depth * depth_share(cut.tool, along - cut.place);
-  }
-  return depth;
-}
-
 }  // namespace
 
 CuttableMesh::CuttableMesh(mesh::Mesh mesh, const Side& side)
     : mesh_(std::move(mesh)), side_(side), faces_(side_faces(mesh_, side)) {
+  const TrianglesAlong below(mesh_, faces_, side_.along);
+  const TrianglesAlong surface(mesh_, mesh_.outer_surface(), side_.along);
   for (Index node = 0; node < std::ssize(mesh_.nodes); ++node) {
-    follow(node);
+    follow(node, below, surface);
   }
 }
 
-void CuttableMesh::follow(Index node) {
+double CuttableMesh::thinnest() const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Follower& follower : followers_) {
+    least = std::min(least, follower.thickness);
+  }
+  return least;
+}
+
+void CuttableMesh::follow(Index node, const TrianglesAlong& faces, const TrianglesAlong& surface) {
   const Vector3& place = mesh_.nodes[node];
   const double nothing = 1e-9 * (1 + place.norm());
   std::optional<Crossing> below;
   mesh::Triangle face{};
-  for (const mesh::Triangle& triangle : faces_) {
+  for (const mesh::Triangle& triangle : faces.at(place[side_.along])) {
     const auto found = crossing_of(place, corners_of(mesh_, triangle), side_);
     if (found && found->ahead > -nothing && (!below || found->ahead < below->ahead)) {
       below = found;
@@ -80,7 +85,7 @@ void CuttableMesh::follow(Index node) {
     return;
   }
   double above = 0.0;  // to the nearest surface behind it, m
-  for (const mesh::Triangle& triangle : mesh_.outer_surface()) {
+  for (const mesh::Triangle& triangle : surface.at(place[side_.along])) {
     const auto found = crossing_of(place, corners_of(mesh_, triangle), side_);
     if (found && found->ahead < -nothing && (above == 0 || -found->ahead < above)) {
       above = -found->ahead;
@@ -115,7 +120,7 @@ std::vector<double> CuttableMesh::depths_of(const std::vector<Cut>& cuts) const 
       const std::array<double, 3> shares = {a, b, 1 - a - b};
       const double along =
           a * corners[0][side_.along] + b * corners[1][side_.along] + shares[2] * corners[2][side_.along];
-      const double depth = depth_at(cuts, along);
+      const double depth = depth_of(cuts, along);
       for (std::size_t k = 0; k < 3; ++k) {
         const double part = area / (parts * parts) * shares.at(k);
         volumes[face.at(k)] += part * depth;

@@ -51,6 +51,18 @@ std::vector<Tool> read_tools(const std::vector<std::string>& texts) {
   return tools;
 }
 
+std::vector<Tool> doubt_narrow_tools(std::vector<Tool>& tools, double thinnest) {
+  constexpr double narrow_error = 0.35;
+  std::vector<Tool> narrow;
+  for (Tool& tool : tools) {
+    if (2 * tool.radius < thinnest) {
+      tool.slope_error = narrow_error;
+      narrow.push_back(tool);
+    }
+  }
+  return narrow;
+}
+
 double depth_share(const Tool& tool, double distance) {
   const double share = std::abs(distance) / tool.radius;
   if (share >= 1) {

@@ -85,6 +85,10 @@ ElasticConstants elastic_constants(const scene::Material& material, const std::v
   return constants;
 }
 
+double expected_deviation(const ElasticConstant& constant) {
+  return constant.kind == ConstantKind::modulus ? 0.2 : 0.1;
+}
+
 Eigen::VectorXd unknowns(const ElasticConstants& constants, const scene::Material& material) {
   scene::Material source = material;
   Eigen::VectorXd values(constants.size());

@@ -31,6 +31,9 @@ using ElasticConstants = std::vector<ElasticConstant>;
 [[nodiscard]] ElasticConstants elastic_constants(const scene::Material& material,
                                                  const std::vector<std::string>& names);
 
+/// Standard deviation of an unknown before anything is measured.
+[[nodiscard]] double expected_deviation(const ElasticConstant& constant);
+
 /// The unknowns of a material. [constants]
 [[nodiscard]] Eigen::VectorXd unknowns(const ElasticConstants& constants, const scene::Material& material);
 

@@ -221,13 +221,9 @@ std::vector<double> MaterialFit::likely_shifts(const std::vector<Line>& lines) c
 
 /// Moduli within a fifth or so of a table's, ratios within 0.1.
 Expectation MaterialFit::expectation_of(const scene::Material& material) const {
-  constexpr double of_moduli = 0.2;
-  constexpr double of_ratios = 0.1;
   Expectation expected{unknowns(constants_, material), {}};
   expected.deviation.resize(expected.middle.size());
-  std::ranges::transform(constants_, expected.deviation.begin(), [](const ElasticConstant& constant) {
-    return constant.kind == ConstantKind::modulus ? of_moduli : of_ratios;
-  });
+  std::ranges::transform(constants_, expected.deviation.begin(), expected_deviation);
   return expected;
 }
 

@@ -117,7 +117,8 @@ Measurements read_recording(const std::filesystem::path& file) {
       const double deviation = partials::cents(partial.frequency + partial.frequency_deviation, partial.frequency);
       measured.lines.push_back({.frequency = partial.frequency,
                                 .uncertainty = std::max(default_uncertainty, deviation),
-                                .decay_time = partial.decay_time});
+                                .decay_time = partial.decay_time,
+                                .level = partial.level});
     }
   } catch (const std::invalid_argument& error) {
     throw std::runtime_error(fmt::format("{}: {}", file.string(), error.what()));

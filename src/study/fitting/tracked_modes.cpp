@@ -7,14 +7,14 @@
 
 #include "idiophone/scene/find_body.hpp"
 #include "idiophone/scene/joined_bodies.hpp"
+#include "idiophone/study/fitting/recognised_modes.hpp"
 #include "idiophone/study/partials/compare.hpp"
 
 namespace idiophone::fitting {
 
 namespace {
 
-constexpr int more_modes = 8;             // above the highest to follow
-constexpr double least_similarity = 0.5;  // of the shapes of one mode on two neighbouring bodies
+constexpr int more_modes = 8;  // above the highest to follow
 
 }  // namespace
 
@@ -29,21 +29,16 @@ ModeShapes shapes_up_to(int highest, const scene::Solids& body, eigenmodes::Mass
 }
 
 TrackedModes follow(const TrackedModes& known, ModeShapes body) {
-  Eigen::MatrixXd likeness = similarities(known.body, known.modes, body);
-  TrackedModes found{known.numbers, std::vector<int>(known.modes.size()), std::move(body)};
+  const RecognisedModes recognised = recognise(similarities(known.body, known.modes, body));
+  TrackedModes found{known.numbers, {}, std::move(body)};
   for (std::size_t i = 0; i < known.modes.size(); ++i) {
-    Eigen::Index which = 0;
-    Eigen::Index mode = 0;
-    const double best = likeness.maxCoeff(&which, &mode);
-    if (best < least_similarity) {
+    if (!recognised.modes[i]) {
       throw std::runtime_error(
           fmt::format("mode {} of the start can't be recognised: the most similar shape has a modal assurance "
                       "criterion of {:.2f}; choose narrower bounds",
-                      known.numbers[i], best));
+                      known.numbers[i], recognised.likeness[i]));
     }
-    found.modes[which] = static_cast<int>(mode);
-    likeness.row(which).setConstant(-1.0);
-    likeness.col(mode).setConstant(-1.0);
+    found.modes.push_back(static_cast<int>(*recognised.modes[i]));
   }
   return found;
 }

@@ -19,6 +19,9 @@ struct Cut {
   Eigen::VectorXd cents;  ///< [partials] by which it moves them; empty of a cut that was made earlier
 };
 
+/// Depth of some cuts together at a place along the body, m.
+[[nodiscard]] double depth_of(const std::vector<Cut>& cuts, double along);
+
 /// A body after some cuts, as a model has it.
 struct CutBody {
   Eigen::VectorXd moved;  ///< [partials] cents by which these cuts have moved them

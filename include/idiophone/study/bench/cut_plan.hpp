@@ -24,6 +24,7 @@ struct PlanOptions {
 
 enum class Verdict {
   in_tune,      ///< no cut is needed
+  ambiguous,    ///< a line may be that of another mode
   cut,          ///< make the cuts, and tap again
   not_safe,     ///< any cut may pass a target
   out_of_reach  ///< no removal reaches the targets
@@ -44,6 +45,7 @@ struct Plan {
   std::vector<Visit> visits = {};    ///< the cuts to make now, and then those of each next visit if each tap gives what
                                      ///< is expected; up to the target, to where no cut is safe, or
                                      ///< to the end of the model
+  bool is_settled = true;            ///< false where slopes allow cuts, but the solved body refuses them
   Eigen::VectorXd unreachable = {};  ///< [partials] errors that the best cuts, each up to half of the body's thickness,
                                      ///< leave
 };
@@ -54,11 +56,15 @@ struct Plan {
 /// Chooses cuts by non-negative least squares over all tools and places. Each partial goes as near to its target as it
 /// can, so that with a probability of 97.7 % (two standard deviations) it does not pass it by more than the tolerance,
 /// or than twice the uncertainty of its measurement where that is more. The body is solved with the cuts, and their
-/// depths are corrected by the slopes half-way, in up to five rounds. No cut is deeper than allowed. At most eight
-/// visits are planned.
+/// depths are corrected by the slopes half-way, in up to five rounds; then they become shallower until they are safe.
+/// No cut is deeper than allowed. At most eight visits are planned.
 /// @param model  of the body; what it is with no further cut counts as the measured body
+/// It never says `ambiguous`.
 /// @throws OutsideOfModel where the model has no answer for the next cuts
 [[nodiscard]] Plan plan_cuts(const CutModel& model, const std::vector<Tool>& tools, const Partials& partials,
                              const PlanOptions& options);
+
+/// No cuts, because it is not known which lines the partials have.
+[[nodiscard]] Plan ambiguous_plan(const Partials& partials, const PlanOptions& options);
 
 }  // namespace idiophone::bench

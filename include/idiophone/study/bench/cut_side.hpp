@@ -2,6 +2,7 @@
 // The side of a body on which a maker works, and what a cut there does to its modes.
 
 #include <Eigen/Core>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,9 @@ struct Side {
 
 /// "x", of the axis along which cuts are placed
 [[nodiscard]] char axis_name(const Side& side);
+
+/// The ends of the body along a side, m.
+[[nodiscard]] std::array<double, 2> ends_along(const mesh::Mesh& mesh, const Side& side);
 
 /// Triangles of the surface that look within 60 degrees to the side's end.
 /// @throws std::runtime_error if none does

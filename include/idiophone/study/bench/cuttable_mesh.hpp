@@ -10,6 +10,8 @@
 
 namespace idiophone::bench {
 
+class TrianglesAlong;
+
 /// Nodes of the side move into the body by the mean depth of the cuts around them, weighted by linear shape functions
 /// of the surface, so that the removed volume is right however narrow a cut is. Nodes between the side and the surface
 /// behind it move with them, the less the nearer they are to that surface.
@@ -19,6 +21,9 @@ class CuttableMesh {
   CuttableMesh(mesh::Mesh mesh, const Side& side);
 
   [[nodiscard]] const mesh::Mesh& uncut() const { return mesh_; }
+
+  /// The least thickness of the body between the side and the surface behind it, m.
+  [[nodiscard]] double thinnest() const;
 
   /// The mesh after some cuts. Its hash is empty: it is another body.
   /// @throws OutsideOfModel where cuts take more than half of the thickness
@@ -34,7 +39,7 @@ class CuttableMesh {
   };
 
   [[nodiscard]] std::vector<double> depths_of(const std::vector<Cut>& cuts) const;  ///< [nodes] m, at the side
-  void follow(Index node);
+  void follow(Index node, const TrianglesAlong& faces, const TrianglesAlong& surface);
 
   mesh::Mesh mesh_;
   Side side_;

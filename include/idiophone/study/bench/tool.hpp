@@ -16,12 +16,19 @@ enum class Profile {
 struct Tool {
   std::string name;  ///< as the user writes it: "router", "sander"
   Profile profile = Profile::groove;
-  double radius = 0.0;  ///< half the width of a cut, m
+  double radius = 0.0;       ///< half the width of a cut, m
+  double slope_error = 0.0;  ///< least standard deviation of what its cuts do, over what the model says
 };
 
 /// Reads NAME:RADIUS of each text: "router:0.006", "sander:0.02".
 /// @throws std::runtime_error for another text, or none
 [[nodiscard]] std::vector<Tool> read_tools(const std::vector<std::string>& texts);
+
+/// Tools whose cuts are narrower than the body is thick get a slope error: nodes that move give narrow cuts less than
+/// their effect, because they do not relieve the material beside them (docs/use/bench.md, Limits).
+/// @param thinnest  m, of the body
+/// @return those tools
+std::vector<Tool> doubt_narrow_tools(std::vector<Tool>& tools, double thinnest);
 
 /// Depth at a distance (m) from the middle of a cut, over the greatest depth: 0 to 1.
 [[nodiscard]] double depth_share(const Tool& tool, double distance);

@@ -14,6 +14,7 @@ struct Line {
   double frequency = 0.0;                    ///< Hz
   double uncertainty = default_uncertainty;  ///< standard deviation, cents
   std::optional<double> decay_time = {};     ///< T60, s
+  std::optional<double> level = {};          ///< of a recording, dB
 };
 
 struct Measurements {

@@ -1,0 +1,49 @@
+#pragma once
+// Cuts that may be made.
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "idiophone/study/bench/cut_model.hpp"
+
+namespace idiophone::bench {
+
+/// All tools at all places of a body where their cuts lie within it, a quarter of a tool's radius apart.
+class Candidates {
+ public:
+  Candidates(const Strips& strips, const std::vector<Tool>& tools);
+
+  /// [partials x candidates] cents/m
+  [[nodiscard]] Eigen::MatrixXd slopes(const Strips& strips) const;
+
+  /// Whether it is a cut by a tool that the model bears less than others (doubt_narrow_tools()).
+  [[nodiscard]] bool is_doubted(Eigen::Index candidate) const;
+
+  /// Whether two of them take material from the same place.
+  [[nodiscard]] bool overlap(Eigen::Index one, Eigen::Index other) const;
+
+  /// Cuts of some depths, by their places, without those that are shallower than `shallowest`.
+  /// @param slopes  [partials x candidates] cents/m
+  /// @param depths  [candidates] m
+  [[nodiscard]] std::vector<Cut> cuts(const Eigen::MatrixXd& slopes, const Eigen::VectorXd& depths,
+                                      double shallowest) const;
+
+  /// The number of a cut that is one of them.
+  [[nodiscard]] Eigen::Index number_of(const Cut& cut) const;
+
+  /// The columns of some cuts; zero for all others. [partials x candidates]
+  [[nodiscard]] Eigen::MatrixXd only(const std::vector<Cut>& cuts, const Eigen::MatrixXd& moves) const;
+
+ private:
+  struct Candidate {
+    Tool tool;
+    double place = 0.0;  ///< m
+  };
+
+  std::vector<Candidate> candidates_;
+};
+
+/// The cents by which cuts move partials together. [partials]
+[[nodiscard]] Eigen::VectorXd sum_of(const std::vector<Cut>& cuts, Eigen::Index partials);
+
+}  // namespace idiophone::bench

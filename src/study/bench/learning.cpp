@@ -1,0 +1,98 @@
+#include "idiophone/study/bench/learning.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "tap_expectation.hpp"
+#include "tap_hypotheses.hpp"
+
+namespace idiophone::bench {
+
+namespace {
+
+constexpr double certain = 0.99;
+
+/// Which mode of a hypothesis has a line.
+std::optional<std::size_t> owner_of(const TapHypothesis& hypothesis, std::size_t line) {
+  const auto found = std::ranges::find(hypothesis.lines, line);
+  return found == hypothesis.lines.end() ? std::nullopt : std::optional<std::size_t>(found - hypothesis.lines.begin());
+}
+
+/// The first mode that has different lines in two hypotheses.
+std::optional<Doubt> doubt_between(const TapHypothesis& best, const TapHypothesis& rival,
+                                   const std::vector<std::size_t>& tuned, const std::vector<fitting::Line>& lines) {
+  for (const std::size_t mode : tuned) {
+    const auto line = best.lines[mode];
+    const auto other_line = rival.lines[mode];
+    if (!line || line == other_line || (!other_line && !owner_of(rival, *line))) {
+      continue;
+    }
+    Doubt doubt{.mode = mode, .line = lines[*line].frequency, .other_line = {}, .other = owner_of(rival, *line)};
+    if (other_line) {
+      doubt.other_line = lines[*other_line].frequency;
+      doubt.other = doubt.other ? doubt.other : owner_of(best, *other_line);
+    }
+    return doubt;
+  }
+  return {};
+}
+
+Estimate estimate_of(const TapHypothesis& hypothesis, Eigen::Index unknown, std::string name) {
+  return {std::move(name), hypothesis.unknowns[unknown],
+          std::sqrt(std::max(0.0, hypothesis.covariance(unknown, unknown)))};
+}
+
+/// The cuts with the depths that they have.
+std::vector<Cut> real_cuts(const std::vector<Cut>& made, const std::vector<Estimate>& depths, double thinner,
+                           const Strips& strips) {
+  const double length = strips.high() - strips.low();
+  const double middle = (strips.high() + strips.low()) / 2;
+  std::vector<Cut> cuts = {{{"thickness", Profile::groove, length}, middle, thinner, {}}};
+  for (std::size_t c = 0; c < made.size(); ++c) {
+    cuts.push_back({made[c].tool, made[c].place, std::max(0.0, made[c].depth + depths[c].expected), {}});
+  }
+  return cuts;
+}
+
+}  // namespace
+
+Learned learn(const Workpiece& piece, const std::vector<Cut>& made, const std::vector<Tap>& taps,
+              const Beliefs& beliefs) {
+  TapExpectations expectations(piece, made, beliefs);
+  TapHypotheses hypotheses(expectations.unknowns().size());
+  Eigen::VectorXd cents;  // [modes] at the last tap
+  for (const Tap& tap : taps) {
+    const ExpectedTap expected = expectations.of(tap);
+    hypotheses.hear(tap.lines, expected);
+    cents = expected.cents;
+  }
+  const std::vector<fitting::Line>& lines = taps.back().lines;
+  const std::vector<std::size_t>& tuned = piece.uncut().tuned;
+  const TapHypothesis& best = hypotheses.all().front();
+  const Certainness certainness = certainness_of(hypotheses, tuned, lines);
+  const TapUnknowns& unknowns = expectations.unknowns();
+  Learned learned;
+  learned.probability = certainness.probability;
+  for (const std::size_t mode : tuned) {
+    learned.computed.push_back(std::exp2(cents[static_cast<Eigen::Index>(mode)] / 1200));
+    learned.lines.push_back(best.lines[mode] ? std::optional(lines[*best.lines[mode]]) : std::nullopt);
+  }
+  if (certainness.probability < certain && certainness.rival != nullptr) {
+    learned.doubt = doubt_between(best, *certainness.rival, tuned, lines);
+  }
+  for (std::size_t c = 0; c < unknowns.constants.size(); ++c) {
+    learned.constants.push_back(estimate_of(best, unknowns.constant(c), unknowns.constants[c]));
+  }
+  for (std::size_t c = 0; c < made.size(); ++c) {
+    learned.depths.push_back(estimate_of(best, unknowns.depth(c), {}));
+  }
+  learned.cuts = real_cuts(made, learned.depths, best.unknowns[TapUnknowns::thickness], expectations.strips());
+  if (!unknowns.constants.empty()) {
+    learned.material =
+        fitting::moved(piece.material(), best.unknowns.segment(unknowns.constant(0), std::ssize(unknowns.constants)));
+  }
+  return learned;
+}
+
+}  // namespace idiophone::bench
