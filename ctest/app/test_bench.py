@@ -91,6 +91,18 @@ class Bench(program.TestCase):
         self.assertNotEqual(facts["verdict"], "in_tune")
         self.assertAlmostEqual(facts["partials"][1]["measured"], lines[2], places=6)
 
+    def test_a_file_with_its_last_tap_after_its_last_cut_needs_no_other_tap(self):
+        lines = [line for number, line in enumerate(self.computed()) if number not in (2, 3)]
+        tapped = self.facts(*self.measured(lines), AT_THE_END)
+        made = self.output / "cuts.yaml"
+        made.write_text(f"cuts: []\ntaps: [{{cuts: 0, lines: {lines}, uncertainties: {[1] * len(lines)}, at: [0.17, 0, 0]}}]")
+        self.assertEqual(self.facts("--cuts", made)["cuts"], tapped["cuts"])
+        # What the command writes, it reads, however shallow a cut is.
+        made.write_text('cuts: [{tool: "sander:0.02", place: 0.0123456, depth: 4e-7}]')
+        made.write_text(self.facts("--cuts", made)["cuts_file"])
+        self.assertIn("depth: 4e-07", made.read_text())
+        self.assertNotEqual(self.facts("--cuts", made)["cuts"], [])
+
     def test_measured_partials_are_matched_and_keep_their_shifts(self):
         computed = self.computed()
         raised = [frequency * 2 ** ((150 + 5 * number) / 1200) for number, frequency in enumerate(computed) if number not in (2, 3)]
@@ -160,8 +172,8 @@ class Bench(program.TestCase):
                               ("cuts: []\ntaps: [{cuts: 0, lines: [], uncertainties: []}]", "a tap has at least one frequency")):
             made.write_text(text)
             self.assertIn(message, self.bench(*TARGET, "--cuts", made, status=program.WRONG_DECK).stderr)
-        made.write_text("cuts: []\ntaps: [{cuts: 0, lines: [200], uncertainties: [1]}]")
-        self.assertIn("there is none after its last cut", self.bench(*TARGET, "--cuts", made, status=program.FAILED).stderr)
+        made.write_text('cuts: [{tool: "sander:0.02", place: 0, depth: 0.0004}]\ntaps: [{cuts: 0, lines: [200], uncertainties: [1]}]')
+        self.assertIn("none after its last cut: give one by --measured", self.bench(*TARGET, "--cuts", made, status=program.FAILED).stderr)
         made.write_text('side: +z\ncuts: []')
         self.assertIn("cuts.yaml:1:7: side: these cuts were made at the side +z, but -z is to be cut: give --side +z",
                       self.bench(*TARGET, "--cuts", made, status=program.WRONG_DECK).stderr)
@@ -213,6 +225,7 @@ class Bench(program.TestCase):
     def test_wrong_options(self):
         for arguments, message in ((("--tools", "saw:0.01"), "'saw:0.01' is not a tool"), (("--side", "below"), "'below' is not a side"),
                                    (("--depth-error", "0"), "--depth-error must be above 0"),
+                                   (("--measured", BAR, "--tapped-at=nan,0,0"), "--tapped-at must be three finite numbers"),
                                    (("--mode-numbers", "1,2"), "--target has 3 values, but --mode-numbers 2")):
             with self.subTest(arguments=arguments):
                 self.assertIn(message, self.bench("--target", "1:4:10", *arguments, status=program.FAILED).stderr)

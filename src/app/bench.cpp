@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <stdexcept>
@@ -90,6 +91,9 @@ void check_bench(const BenchOptions& options) {
   require_above_zero("--deepest", options.plan.deepest);
   require_above_zero("--depth-error", options.plan.depth_error);
   require_above_zero("--slope-error", options.plan.slope_error);
+  if (!std::ranges::all_of(options.tapped_at, [](double metres) { return std::isfinite(metres); })) {
+    throw std::runtime_error("--tapped-at must be three finite numbers, in m");
+  }
 }
 
 /// What is done on a body so far, with the tap of this call.
@@ -105,9 +109,9 @@ bench::Past past_of(const BenchOptions& options, const mesh::Mesh& mesh, const b
       tap.at = Vector3::Map(options.tapped_at.data());
       tap.lines = bench::without_faint_neighbours(tap.lines);
     }
-  } else if (!past.taps.empty()) {
+  } else if (!past.taps.empty() && past.taps.back().cuts < past.cuts.size()) {
     throw std::runtime_error(
-        fmt::format("{} has taps, but there is none after its last cut: give --measured", options.cuts.string()));
+        fmt::format("{} has taps, but none after its last cut: give one by --measured", options.cuts.string()));
   }
   return past;
 }
@@ -170,7 +174,8 @@ int run_bench(const BenchOptions& options) {
   const bench::Past past = past_of(options, mesh, side);
   bench::Workpiece piece(solids, std::move(mesh), side, numbers, options.mass);
   const std::vector<bench::Tool> tools = tools_for(options, piece);
-  const BenchSession session = begin_session(piece, {numbers, options.measured}, past, target, beliefs_of(options));
+  const BenchSession session = begin_session(
+      piece, {numbers, options.measured.empty() ? options.cuts : options.measured}, past, target, beliefs_of(options));
   const bench::Workpiece::Slopes slopes = piece.slopes_of(session.body, session.body.tuned);
   const bench::CutModel model = piece.model(session.cuts, session.body, slopes.strips);
   const bench::Partials partials = distances_of(session.partials, target.are_ratios);

@@ -26,12 +26,10 @@ std::string name_of(const bench::Workpiece& piece, std::size_t mode) {
 std::string question_of(const bench::Workpiece& piece, const bench::Doubt& doubt) {
   const std::string mode = name_of(piece, doubt.mode);
   if (doubt.other) {
-    return fmt::format("the line at {:.2f} Hz may be that of {} or of {}", doubt.other_line.value_or(doubt.line), mode,
+    return fmt::format("the line at {:.2f} Hz may be that of {} or of {}", doubt.line, mode,
                        name_of(piece, *doubt.other));
   }
-  return doubt.other_line
-             ? fmt::format("{} may have the line at {:.2f} or that at {:.2f} Hz", mode, doubt.line, *doubt.other_line)
-             : fmt::format("the line at {:.2f} Hz may be that of {} or a false one", doubt.line, mode);
+  return fmt::format("{} may have the line at {:.2f} or that at {:.2f} Hz", mode, doubt.line, doubt.other_line.value());
 }
 
 /// What may be, and the measurement that decides.
@@ -77,13 +75,16 @@ BenchSession with_taps(bench::Workpiece& piece, const BenchSubject& subject, con
   BenchSession session;
   session.learned = bench::learn(piece, past.cuts, past.taps, beliefs);
   const bench::Learned& learned = *session.learned;
+  doubt_lines(session, piece);
   for (std::size_t p = 0; p < subject.numbers.size(); ++p) {
     const int number = subject.numbers[p];
     if (!learned.lines[p]) {
-      throw std::runtime_error(
-          fmt::format("{}: mode {}, computed at {:.1f} Hz, was not measured. Tap where it moves much, give its line in "
-                      "a YAML file, correct the deck by `identify`, or allow more by --match",
-                      subject.measured.string(), number, learned.computed[p]));
+      throw std::runtime_error(fmt::format("{}: mode {}, computed at {:.1f} Hz, was not measured. {}",
+                                           subject.measured.string(), number, learned.computed[p],
+                                           session.doubt.empty()
+                                               ? "Tap where it moves much, give its line in a YAML file, correct the "
+                                                 "deck by `identify`, or allow more by --match"
+                                               : "But " + session.doubt));
     }
     session.partials.push_back({.mode = number, .computed = learned.computed[p], .line = learned.lines[p]});
   }
@@ -101,7 +102,6 @@ BenchSession begin_session(bench::Workpiece& piece, const BenchSubject& subject,
                            const fitting::Target& target, const bench::Beliefs& beliefs) {
   BenchSession session =
       past.taps.empty() ? without_taps(piece, subject.numbers, past) : with_taps(piece, subject, past, beliefs);
-  doubt_lines(session, piece);
   set_wanted(session.partials, target);
   return session;
 }

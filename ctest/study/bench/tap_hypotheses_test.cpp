@@ -7,6 +7,7 @@
 #include <cmath>
 #include <random>
 
+#include "doubt.hpp"
 #include "tap_hypotheses.hpp"
 
 namespace idiophone::bench {
@@ -55,6 +56,40 @@ TEST(TapHypotheses, DoubtWhereModesMayHaveChangedPlaces) {
   // The lowest mode is the same in all of them.
   const std::array<std::size_t, 1> lowest = {0};
   EXPECT_GT(certainness_of(taps, lowest, lines).probability, 0.99);
+}
+
+/// One way to take the lines.
+TapHypothesis way(Lines lines) {
+  return {{}, {}, 0.0, std::move(lines)};
+}
+
+TEST(Doubts, NameTheLineAndTheModesThatMayHaveIt) {
+  const auto lines = lines_at({7000, 9000, 10000});
+  // The modes 1 and 2 change their lines.
+  const Doubt changed = doubt_between(way({0, 1, 2}), way({0, 2, 1}), 1, lines);
+  EXPECT_EQ(changed.line, lines[1].frequency);
+  EXPECT_EQ(changed.other, 2U);
+  EXPECT_FALSE(changed.other_line);
+  // The likeliest way gives the line at 10 000 cents to mode 2, the rival to mode 1, which has no other one.
+  const Doubt stolen = doubt_between(way({0, std::nullopt, 2}), way({0, 2, std::nullopt}), 1, lines);
+  EXPECT_EQ(stolen.line, lines[2].frequency);
+  EXPECT_EQ(stolen.other, 2U);
+  // Mode 1 may have a line that no mode has in the other way.
+  const Doubt moved = doubt_between(way({0, 1, std::nullopt}), way({0, 2, std::nullopt}), 1, lines);
+  EXPECT_EQ(moved.line, lines[1].frequency);
+  EXPECT_EQ(moved.other_line, lines[2].frequency);
+  EXPECT_FALSE(moved.other);
+}
+
+// The lines of mode 1 count as one, so it is mode 2 that the ways disagree about.
+TEST(Doubts, AreAboutTheModeThatContradicts) {
+  TapHypotheses taps(5);
+  const auto lines = lines_at({7000, 7000.5, 9975, 10005});
+  taps.hear(lines, bar(9970));
+  const std::array<std::size_t, 2> modes = {0, 2};
+  const Certainness certainness = certainness_of(taps, modes, lines);
+  ASSERT_NE(certainness.rival, nullptr);
+  EXPECT_EQ(certainness.mode, 2U);
 }
 
 TEST(TapHypotheses, KnowFromAQuietTapWhichLineIsWhich) {

@@ -109,7 +109,7 @@ Past read_past(const std::filesystem::path& file, const Side& side, const std::a
 std::string text_of(const Past& past, const Side& side) {
   std::string text = fmt::format("side: {}\n{}", name_of(side), past.cuts.empty() ? "cuts: []\n" : "cuts:\n");
   for (const Cut& cut : past.cuts) {
-    text += fmt::format("  - {{tool: \"{}:{:g}\", place: {:.5f}, depth: {:.6f}}}\n", cut.tool.name, cut.tool.radius,
+    text += fmt::format("  - {{tool: \"{}:{:g}\", place: {:.7g}, depth: {:.7g}}}\n", cut.tool.name, cut.tool.radius,
                         cut.place, cut.depth);
   }
   text += past.taps.empty() ? "" : "taps:\n";

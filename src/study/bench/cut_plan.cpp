@@ -130,7 +130,7 @@ class Planner {
   std::optional<Visit> visit_within_model(const VectorXd& errors) {
     try {
       std::optional<Visit> visit = next_visit(errors, Doubted::refused);
-      return visit ? std::move(visit) : next_visit(errors, Doubted::allowed);
+      return visit || !candidates_.has_doubted() ? std::move(visit) : next_visit(errors, Doubted::allowed);
     } catch (const OutsideOfModel& outside) {
       if (plan_.visits.empty()) {
         throw OutsideOfModel(std::string("the next cuts can't be planned: ") + outside.what());

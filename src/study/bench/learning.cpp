@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "doubt.hpp"
 #include "tap_expectation.hpp"
 #include "tap_hypotheses.hpp"
 
@@ -12,31 +13,6 @@ namespace idiophone::bench {
 namespace {
 
 constexpr double certain = 0.99;
-
-/// Which mode of a hypothesis has a line.
-std::optional<std::size_t> owner_of(const TapHypothesis& hypothesis, std::size_t line) {
-  const auto found = std::ranges::find(hypothesis.lines, line);
-  return found == hypothesis.lines.end() ? std::nullopt : std::optional<std::size_t>(found - hypothesis.lines.begin());
-}
-
-/// The first mode that has different lines in two hypotheses.
-std::optional<Doubt> doubt_between(const TapHypothesis& best, const TapHypothesis& rival,
-                                   const std::vector<std::size_t>& tuned, const std::vector<fitting::Line>& lines) {
-  for (const std::size_t mode : tuned) {
-    const auto line = best.lines[mode];
-    const auto other_line = rival.lines[mode];
-    if (!line || line == other_line || (!other_line && !owner_of(rival, *line))) {
-      continue;
-    }
-    Doubt doubt{.mode = mode, .line = lines[*line].frequency, .other_line = {}, .other = owner_of(rival, *line)};
-    if (other_line) {
-      doubt.other_line = lines[*other_line].frequency;
-      doubt.other = doubt.other ? doubt.other : owner_of(best, *other_line);
-    }
-    return doubt;
-  }
-  return {};
-}
 
 Estimate estimate_of(const TapHypothesis& hypothesis, Eigen::Index unknown, std::string name) {
   return {std::move(name), hypothesis.unknowns[unknown],
@@ -79,7 +55,7 @@ Learned learn(const Workpiece& piece, const std::vector<Cut>& made, const std::v
     learned.lines.push_back(best.lines[mode] ? std::optional(lines[*best.lines[mode]]) : std::nullopt);
   }
   if (certainness.probability < certain && certainness.rival != nullptr) {
-    learned.doubt = doubt_between(best, *certainness.rival, tuned, lines);
+    learned.doubt = doubt_between(best, *certainness.rival, certainness.mode, lines);
   }
   for (std::size_t c = 0; c < unknowns.constants.size(); ++c) {
     learned.constants.push_back(estimate_of(best, unknowns.constant(c), unknowns.constants[c]));

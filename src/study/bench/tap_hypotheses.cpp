@@ -112,10 +112,12 @@ Certainness certainness_of(const TapHypotheses& hypotheses, std::span<const std:
   for (const TapHypothesis& hypothesis : all) {
     const double weight = std::exp(hypothesis.likelihood - all.front().likelihood);
     sum += weight;
-    if (std::ranges::none_of(modes, [&](std::size_t mode) { return contradicts(hypothesis, mode); })) {
+    const auto mode = std::ranges::find_if(modes, [&](std::size_t m) { return contradicts(hypothesis, m); });
+    if (mode == modes.end()) {
       like += weight;
     } else if (result.rival == nullptr) {
       result.rival = &hypothesis;
+      result.mode = *mode;
     }
   }
   result.probability = like / sum;

@@ -48,7 +48,8 @@ class TapHypotheses {
 /// How certain it is which lines some modes have.
 struct Certainness {
   double probability = 0.0;              ///< of all ways that do not contradict the likeliest one, 0 to 1
-  const TapHypothesis* rival = nullptr;  ///< the likeliest other way; none where there is no other
+  const TapHypothesis* rival = nullptr;  ///< the likeliest way that contradicts it; none where there is none
+  std::size_t mode = 0;                  ///< the first of the modes about which the rival contradicts it
 };
 
 /// Two ways contradict each other where a mode has different lines, or where its line is that of another mode; not

@@ -29,9 +29,9 @@ struct Estimate {
 /// Another way to take the lines of the last tap.
 struct Doubt {
   std::size_t mode = 0;              ///< of the uncut body, from 0 on, that is tuned
-  double line = 0.0;                 ///< Hz, that it has
-  std::optional<double> other_line;  ///< Hz, that it may have instead
-  std::optional<std::size_t> other;  ///< the mode of the uncut body that it may be taken for
+  double line = 0.0;                 ///< Hz, of the line that may be its own
+  std::optional<double> other_line;  ///< Hz, of the line that it may have instead; none where `other` has a value
+  std::optional<std::size_t> other;  ///< the mode of the uncut body that may have the line instead
 };
 
 /// What all taps together tell.
