@@ -82,6 +82,26 @@ TEST(StretchedModes, MoveAsAnotherMethodSays) {
   EXPECT_LT(worst, 3e-3);  // 0.3 % after 3 to 13 periods: a cent is 0.06 % of a period
 }
 
+// V = w^2 q^2/2 + a c q^3 + c^2 q^4/2 has a second equilibrium, where w^2 + 3 a c q + 2 c^2 q^2 is zero.
+TEST(StretchedModes, ShellThatSnapsThroughVibratesAboutItsOtherEquilibrium) {
+  constexpr double w = 1000, a = 999.9, c = 500;
+  const StretchedBody body{.frequencies = {w / (2 * std::numbers::pi)}, .decay = 40, .linear = {a}, .quadratic = {c}};
+  const double other = (-3 * a - std::sqrt(9 * a * a - 8 * w * w)) / (4 * c);
+  const double stiffness = w * w + 6 * a * c * other + 6 * c * c * other * other;
+  const auto turns = in_groups(body.turns());
+  StretchedModes stretching = body.modes();
+  std::vector<ModeGroup> states = StretchedBody::struck(Eigen::VectorXd::Constant(1, -600));  // 500 pass the summit
+  int passages = 0;
+  double before = 0.0;
+  for (int sample = 0; sample < rate / 5; ++sample) {
+    advance(stretching, states, turns);
+    const double place = body.places_of(states)[0] - other;
+    passages += sample > rate / 10 && place * before < 0;
+    before = place;
+  }
+  EXPECT_NEAR(passages, std::sqrt(stiffness) / std::numbers::pi / 10, 1.0);
+}
+
 TEST(StretchedModes, ScaleWithTheSizeOfTheBody) {
   const double size = 1.3;
   const StretchedBody body;

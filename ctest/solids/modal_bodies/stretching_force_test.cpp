@@ -177,6 +177,25 @@ TEST(StretchingForce, StoredEnergyStaysThatOfTheStretching) {
   EXPECT_LT(std::abs(drift) / (steps / 2), 3e-4 * body.discrete_energy());
 }
 
+// V = w^2 q^2/2 + a c q^3 + c^2 q^4/2 has a second equilibrium, where w^2 + 3 a c q + 2 c^2 q^2 is zero.
+TEST(StretchingForce, ShellThatSnappedThroughVibratesAboutItsOtherEquilibrium) {
+  constexpr double w = 1000, a = 999.9, c = 500;
+  ModalBasis basis = flat_body(w, c);
+  basis.stretching.linear = {a};
+  const double other = (-3 * a - std::sqrt(9 * a * a - 8 * w * w)) / (4 * c);
+  const double frequency = std::sqrt(w * w + 6 * a * c * other + 6 * c * c * other * other);
+  const double amplitude = 1e-3;
+  constexpr double length = 1e-5;
+  Vibration body(basis, length, Eigen::Array<double, 1, 1>(other + amplitude));
+  double largest_error = 0.0;
+  for (int n = 1; n <= 2000; ++n) {
+    body.advance();
+    const double expected = amplitude * std::cos(frequency * n * length);
+    largest_error = std::max(largest_error, std::abs(body.coordinates.places()[0] - other - expected));
+  }
+  EXPECT_LT(largest_error, 0.03 * amplitude);
+}
+
 /// Places of the modes by Runge and Kutta's method of fourth order.
 Eigen::VectorXd reference(const ModalBasis& basis, Eigen::VectorXd q, double time) {
   const auto modes = q.size();

@@ -10,7 +10,7 @@ namespace idiophone::resonators {
 
 namespace {
 
-constexpr double offset_in_energies = 2.0;  // of modes and stretching together
+constexpr double offset_in_energies = 2.0;  // of modes and stretching together, or of stretching below zero
 constexpr double correction = 0.01;         // share of a drift that an audio sample takes back
 constexpr double inaudible_share = 1e-5;    // -100 dB
 constexpr double smallest_place = 1e-16;    // kg^1/2 m; squares of smaller ones would be denormal
@@ -105,6 +105,9 @@ void StretchedModes::find_middle(std::span<const ModeGroup> before) {
 void StretchedModes::find_gradient(double energy_of_modes) {
   const std::size_t modes = energy_.modes();
   const double energy = energy_.at(std::span(places_).first(modes), bend_, std::span(slopes_).first(modes));
+  // The sum is nearly zero where a shell snapped through: it has as much less stored than at rest as its modes have.
+  offset_ = std::max({offset_in_energies * (energy_of_modes + stored_), -offset_in_energies * energy, -stored_});
+  root_ = std::sqrt(2 * (stored_ + offset_));
   level_ = std::sqrt(2 * std::max(energy + offset_, smallest_energy));
   largest_share_ = std::max(largest_share_, std::abs(energy) / std::max(energy_of_modes, smallest_energy));
   const double scale = places_scale_ / level_;
@@ -146,8 +149,6 @@ void StretchedModes::find_force(std::span<const ModeGroup> before, std::span<con
     }
   }
   const double energy_of_modes = energy_of(before);
-  offset_ = std::max(offset_in_energies * (energy_of_modes + stored_), -stored_);
-  root_ = std::sqrt(2 * (stored_ + offset_));
   find_middle(before);
   find_gradient(energy_of_modes);
   correct_drift(std::max(energy_of_modes, energy_of(free)));  // a force may just begin

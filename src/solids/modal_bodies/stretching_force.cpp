@@ -7,7 +7,7 @@ namespace idiophone::modal_bodies {
 
 namespace {
 
-constexpr double offset_in_energies = 2.0;  // of modes and stretching together
+constexpr double offset_in_energies = 2.0;  // of modes and stretching together, or of stretching below zero
 constexpr double correction = 500.0;        // share of a drift that is taken back in a second
 constexpr double smallest_place = 1e-16;    // kg^1/2 m; squares of smaller ones would be denormal
 constexpr double smallest_energy = 1e-40;   // J
@@ -39,7 +39,8 @@ void StretchingForce::go_to(const Eigen::ArrayXd& places) {
 
 StretchedStep StretchingForce::step(const ModalStep& step, double stored) const {
   const double energy = std::max(energy_of_modes(step, step.before, step.now), 0.0);
-  const double offset = std::max(offset_in_energies * (energy + stored), -stored);
+  // The sum is nearly zero where a shell snapped through: it has as much less stored than at rest as its modes have.
+  const double offset = std::max({offset_in_energies * (energy + stored), -offset_in_energies * value_, -stored});
   const double root = std::sqrt(2 * (stored + offset));
   const double level = std::sqrt(2 * std::max(value_ + offset, smallest_energy));
   const Eigen::ArrayXd way = (step.end - step.before) / 2;
