@@ -51,6 +51,9 @@ class Accelerator(program.TestCase):
         job = program.run("hexahedra", self.output, *ACCELERATOR)
         self.require_status(job, program.FAILED)
         self.assertIn("mass_scaling", job.stderr)
+        job = program.run("simple", self.output, "--accelerate", "elements")
+        self.assertNotEqual(job.returncode, program.FINISHED)
+        self.assertIn("--accelerate requires --accelerator", job.stderr)
 
 
 if __name__ == "__main__":

@@ -54,7 +54,8 @@ class MeshFile(program.TestCase):
         path = self.make("mallet")
         told = program.idiophone("info", path)
         self.require_status(told, program.FINISHED)
-        self.assertRegex(told.stdout, r"mesh of the body 'mallet' of the deck 'materials'.*, mesh [0-9a-f]{16}\n  \d+ nodes, \d+ elements, \d+ surface triangles\n  element: tet10\n")
+        self.assertRegex(told.stdout, r"mesh of the body 'mallet' of the deck 'materials'.*, mesh [0-9a-f]{16}\n"
+                                      r"  \d+ nodes, \d+ elements, \d+ surface triangles\n  element: tet10\n")
         self.assertIn("groups of elements: head, stick", told.stdout)
         self.require_status(program.idiophone("info", "--verify", path), program.FINISHED)
         content = bytearray(path.read_bytes())

@@ -120,8 +120,8 @@ class WrongInput(program.TestCase):
         self.assertIn("nobody", job.stderr)
 
     def test_commands_that_use_one_process(self):
-        for command, *arguments in (("info", "file"), ("analyze", "file"), ("export", "map"), ("explore", "map"), ("report", "result"), ("mesh", "deck"),
-                                    ("abx", "a.wav", "b.wav"),
+        for command, *arguments in (("info", "file"), ("analyze", "file"), ("export", "map"), ("explore", "map"), ("report", "result"),
+                                    ("mesh", "deck"), ("abx", "a.wav", "b.wav"),
                                     ("identify", "deck", "--measured", "lines"), ("tune", "deck", "--target", "A4", "--vary", "a=1:2"),
                                     ("play", "map"), ("proxies", "deck"), ("timbre", "scene")):
             with self.subTest(command=command):

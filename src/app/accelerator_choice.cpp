@@ -1,5 +1,6 @@
 #include "accelerator_choice.hpp"
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <stdexcept>
@@ -32,6 +33,12 @@ std::unique_ptr<accelerator::Accelerator> open_accelerator(const std::string& wi
           "in a run bodies of finite elements; leave it out, or choose another --accelerate");
     }
     opened = std::make_unique<accelerator::Accelerator>(wish, rank);
+    if (work.elements && !opened->has_doubles()) {
+      throw std::runtime_error(
+          fmt::format("{} has no double precision, which finite elements need; choose another device, or --accelerate "
+                      "waves",
+                      opened->name()));
+    }
   });
   if (parallel::is_root(communicator)) {
     spdlog::info("{}{}{} are computed by {}", work.elements ? "finite elements" : "",

@@ -19,6 +19,7 @@ void declare(CLI::App& app, RunOptions& options) {
   const deck::Choices<Accelerated> parts{
       {{"all", Accelerated::all}, {"waves", Accelerated::waves}, {"elements", Accelerated::elements}}};
   add_choice(app, "--accelerate", options.accelerated, parts, "what the accelerator computes");
+  app.get_option("--accelerate")->needs("--accelerator");
   app.add_flag("--resume", options.resume, "go on from the newest checkpoint in the output folder");
 }
 

@@ -67,6 +67,13 @@ std::string in_small_letters(std::string text) {
   return text;
 }
 
+/// Drivers that do not know double precision refuse the question.
+bool computes_in_doubles(cl_device_id device) {
+  cl_device_fp_config doubles = 0;
+  return clGetDeviceInfo(device, CL_DEVICE_DOUBLE_FP_CONFIG, sizeof(doubles), &doubles, nullptr) == CL_SUCCESS &&
+         doubles != 0;
+}
+
 bool fits(const std::string& wish, std::size_t number, const Found& device) {
   if (wish == "gpu") {
     return device.is_gpu;
@@ -106,6 +113,7 @@ Accelerator::Accelerator(const std::string& wish, int turn) {
   const Found& chosen = fitting[turn % fitting.size()];
   name_ = chosen.name;
   device_ = chosen.id;
+  has_doubles_ = computes_in_doubles(chosen.id);
   cl_int status = CL_SUCCESS;
   context_ = owned(clCreateContext(nullptr, 1, &chosen.id, nullptr, nullptr, &status), &clReleaseContext);
   require_success(status, "open it");

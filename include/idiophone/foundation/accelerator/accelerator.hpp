@@ -23,6 +23,9 @@ class Accelerator {
   /// Of the device and of its driver.
   [[nodiscard]] const std::string& name() const { return name_; }
 
+  /// Whether it computes in double precision. Not all graphics cards do.
+  [[nodiscard]] bool has_doubles() const { return has_doubles_; }
+
   // For arrays and kernels:
   [[nodiscard]] void* device() const { return device_; }
   [[nodiscard]] void* context() const { return context_.get(); }
@@ -40,6 +43,7 @@ class Accelerator {
 
   void* device_ = nullptr;
   std::string name_;
+  bool has_doubles_ = false;
   Handle context_, queue_;
   std::deque<Parcel> on_the_way_;  // oldest first
 };
