@@ -41,6 +41,12 @@ class Accelerator(program.TestCase):
         expected = self.run_deck("bounce", "processor", *settings)
         self.require_alike(self.run_deck("bounce", "device", *settings, *ACCELERATOR), expected, 1e-6)
 
+    def test_joined_bodies_on_two_ranks_move_as_on_the_processor(self):
+        spring = "--set", ("joints.coil={type: spring, between: [left.clamp, right.clamp], stiffness: {axial: 200, lateral: 100}, "
+                           "at: [0, 0, 0], radius: 1, damping: 1.0e-4}")
+        expected = self.run_deck("joined", "processor", *spring)
+        self.require_alike(self.run_deck("joined", "device", *spring, *ACCELERATOR, ranks=2), expected, 1e-8)
+
     def test_a_run_goes_on_on_the_other_side(self):
         settings = "--set", "time.duration=0.006"
         expected = self.run_deck("simple", "whole", *settings)

@@ -54,6 +54,20 @@ class Contact(program.TestCase):
             with self.subTest(element=element):
                 self.check_energy_of_bounces(("left", "right"), f"bodies.ball.element={element}")
 
+    def test_tines_that_hit_each_other_keep_energy_and_momentum_with_the_same_bits_on_any_ranks(self):
+        found, said = self.run_deck("fork")
+        force = found["contacts/clack/force"]
+        self.assertGreaterEqual(self.touches(force), 1)
+        self.assertGreaterEqual(force[:, 0].min(), 0)  # on the right tine
+        total = found["energy"][:, :4].sum(axis=1)
+        after = total[numpy.arange(len(total)) / self.rate > 1.5e-3]  # the pulses are over
+        self.assertLess(abs(after / after[0] - 1).max(), 1e-3)
+        velocity = found["motion/fork/velocity"]
+        self.assertLess(abs(velocity - velocity[0]).max(), 1e-12)
+        self.assertLess(float(re.search(r"clack: deepest penetration (\S+) m", said)[1]), 5e-4)
+        self.require_status(program.run("fork", self.output, ranks=3), program.FINISHED)
+        self.require_same(self.output / "fork.h5", found)
+
     def test_ten_bounces_under_gravity_keep_the_energy(self):
         self.check_energy_of_bounces(("left",), "bodies.ball.velocity=[0, 0, 0]", "gravity=[-9.81, 0, 0]",
                                      "time.duration=1.6")

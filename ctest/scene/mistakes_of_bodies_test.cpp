@@ -197,8 +197,6 @@ TEST_F(MistakenBodies, Contacts) {
        "deck.yaml:12:64: contacts.c.between.1: must be one of plate, floor, wall, found 'flor' (did you mean "
        "'floor'?)"},
       {between("[floor, wall]"), "deck.yaml:12:57: contacts.c.between: names no body; one of the two must be a body"},
-      {between("[plate, plate]"),
-       "deck.yaml:12:57: contacts.c.between: names 'plate' twice; a body's contact with itself is not computed"},
       {between("[plate, wall]"),
        "deck.yaml:11:13: obstacles.floor: no contact names it, so bodies pass through it; add 'contacts: "
        "{NAME: {between: [BODY, floor]}}', or leave it out\n"

@@ -210,8 +210,9 @@ TEST_F(ReadDeck, ReadsContacts) {
            "contacts:\n"
            "  bounce: {between: [floor, plate], friction: 0.3, damping: 1e-6}\n"
            "  lean: {between: [bar, wall], friction: {sticking: 0.4, sliding: 0.2}, stiffness: 1e12}\n"
-           "  clash: {between: [plate, bar]}\n");
-  ASSERT_EQ(scene.contacts.size(), 3U);
+           "  clash: {between: [plate, bar]}\n"
+           "  fold: {between: [bar, bar]}\n");
+  ASSERT_EQ(scene.contacts.size(), 4U);
   const Contact& bounce = scene.contacts[0];
   EXPECT_EQ(bounce.name, "bounce");
   EXPECT_EQ(scene.bodies.at(bounce.body).name, "plate");
@@ -234,6 +235,9 @@ TEST_F(ReadDeck, ReadsContacts) {
   EXPECT_FALSE(clash.obstacle);
   EXPECT_EQ(clash.friction.sticking, 0.0);
   EXPECT_EQ(clash.damping, 0.0);
+  const Contact& fold = scene.contacts[3];
+  EXPECT_EQ(scene.bodies.at(fold.body).name, "bar");
+  EXPECT_EQ(fold.other, fold.body);
 }
 
 TEST_F(ReadDeck, ReadsWinds) {

@@ -22,7 +22,7 @@ Touchable touchable(const Scene& scene) {
 
 }  // namespace
 
-/// [BODY, BODY], [BODY, OBSTACLE] or [OBSTACLE, BODY]
+/// [BODY, BODY], [BODY, OBSTACLE] or [OBSTACLE, BODY]; one body twice touches itself
 static bool read(const Node& node, Mistakes& mistakes, Contact& contact, const Touchable& things) {
   if (node.kind != Node::Kind::list || node.children.size() != 2) {
     return mistakes.add(node, "expected a list of 2 names, [BODY, BODY] or [BODY, OBSTACLE], found " + describe(node));
@@ -34,10 +34,6 @@ static bool read(const Node& node, Mistakes& mistakes, Contact& contact, const T
   }
   if (first >= things.bodies && second >= things.bodies) {
     return mistakes.add(node, "names no body; one of the two must be a body");
-  }
-  if (first == second) {
-    return mistakes.add(
-        node, fmt::format("names '{}' twice; a body's contact with itself is not computed", node.children[0].text));
   }
   contact.body = first < things.bodies ? first : second;
   const std::size_t partner = first < things.bodies ? second : first;

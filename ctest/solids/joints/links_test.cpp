@@ -41,7 +41,56 @@ double square(double x) {
   return x * x;
 }
 
+/// What find_joints() says when it refuses; empty when it does not.
+std::string refusal(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes) {
+  try {
+    (void)find_joints(solids, meshes);
+  } catch (const deck::DeckError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// A spring between the sides of two blocks at one place: as of a sleeve in a sleeve, they face all ways.
+struct Sleeves {
+  Sleeves(double axial, double lateral) {
+    scene::Joint joint = JoinedBlocks::joint_of("spring");
+    joint.surfaces = {scene::JoinedSurface{0, "rim", {}}, scene::JoinedSurface{1, "rim", {}}};
+    joint.stiffness = {axial, lateral};
+    joint.where = {"sleeves.yaml", 7, 3};
+    scene.materials = {{"steel", 2e11, 0.3, 7850, {0, 0}, {}}};
+    scene.bodies.resize(2);
+    scene.joints = {joint};
+  }
+
+  std::vector<mesh::Mesh> meshes{2, support::block_mesh(element::tet10, {0.03, 0.03, 0.02}, {2, 2, 1})};
+  scene::Scene scene;
+};
+
 ON_RANKS(1);
+
+TEST(Spring, BetweenSleevesHasOneStiffness) {
+  Sleeves sleeves(1e6, 1e6);
+  const std::vector<MeshedJoint> meshed = find_joints(sleeves.scene, sleeves.meshes);
+  EXPECT_EQ(meshed[0].largest_distance(), 0.0);
+  for (const NodeWeight& weight : meshed[0].weights) {
+    EXPECT_TRUE(std::isfinite(weight.value) && std::isfinite(weight.slope[0]) && std::isfinite(weight.slope[1]));
+  }
+}
+
+TEST(Spring, BetweenSleevesHasNoDirection) {
+  Sleeves sleeves(1e6, 1e5);
+  EXPECT_THAT(refusal(sleeves.scene, sleeves.meshes),
+              testing::StartsWith("sleeves.yaml:7:3: joints.spring: the middles of 'rim' and 'rim' are at the same "
+                                  "place, and the surfaces face all ways, so that axial and lateral have no "
+                                  "direction: give one number as stiffness, or at and radius"));
+  for (Vector3& node : sleeves.meshes[1].nodes) {
+    node += Vector3(1e-4, 2e-4, 0);  // as much as meshes of round sleeves differ
+  }
+  EXPECT_THAT(refusal(sleeves.scene, sleeves.meshes), testing::HasSubstr("at the same place"));
+  sleeves.scene.joints[0].place = scene::PatchPlace{{0.03, 0.015, 0.01}, 0.0, {}};
+  EXPECT_EQ(refusal(sleeves.scene, sleeves.meshes), "");  // one face has a normal
+}
 
 TEST(Spring, PullsAlongAndAcrossTheLineBetweenTheMiddles) {
   JoinedBlocks blocks(MPI_COMM_SELF, JoinedBlocks::joint_of("spring"));
@@ -101,13 +150,10 @@ TEST(Bolt, JoinsWhatLiesUnderItsWasher) {
 }
 
 TEST(Links, RefuseWhatTheyCannotHold) {
-  const auto refusal = [](const scene::Joint& joint) -> std::string {
-    try {
-      const JoinedBlocks blocks(MPI_COMM_SELF, joint);
-    } catch (const deck::DeckError& error) {
-      return error.what();
-    }
-    return "";
+  const auto refusal = [](const scene::Joint& joint) {
+    JoinedBlocks blocks;
+    blocks.scene.joints = {joint};
+    return joints::refusal(blocks.scene, blocks.meshes);
   };
   scene::Joint hinge = JoinedBlocks::joint_of("hinge");
   hinge.axis.end.y() = 1.0;
@@ -120,6 +166,13 @@ TEST(Links, RefuseWhatTheyCannotHold) {
   scene::Joint spring = JoinedBlocks::joint_of("spring");
   spring.surfaces[0].group = "end";
   EXPECT_THAT(refusal(spring), testing::HasSubstr("the mesh has no group 'end'"));
+  spring = JoinedBlocks::joint_of("spring");
+  spring.place = scene::PatchPlace{{0.1, 0.015, 0.03}, 0.0, {"spring.yaml", 4, 9}};
+  EXPECT_EQ(refusal(spring), "");
+  spring.place->at = {100, 15, 10};  // in mm
+  EXPECT_THAT(refusal(spring),
+              testing::StartsWith("spring.yaml:4:9: joints.spring: the place [100, 15, 10] is 101 m from the nearer of "
+                                  "'x1' and 'x0', more than a quarter of the size of the body"));
 }
 
 }  // namespace

@@ -47,11 +47,12 @@ struct Friction {
   double sliding = 0.0;
 };
 
-/// A contact between two bodies, or between a body and an obstacle. Other pairs pass through each other.
+/// A contact between two bodies, between a body and an obstacle, or of a body with itself. Other pairs pass through
+/// each other.
 struct Contact {
   std::string name;
   std::size_t body = 0;                 ///< index into Scene::bodies
-  std::optional<std::size_t> other;     ///< index into Scene::bodies, not `body`; none for an obstacle
+  std::optional<std::size_t> other;     ///< index into Scene::bodies, `body` if it touches itself; none for an obstacle
   std::optional<std::size_t> obstacle;  ///< index into Scene::obstacles
   Friction friction;
   double damping = 0.0;             ///< relaxation time: pressure = stiffness (depth + damping * its rate), s

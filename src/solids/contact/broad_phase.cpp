@@ -45,6 +45,9 @@ BroadPhase::BroadPhase(std::vector<Side*> sides, const RigidShape* shape, double
 
 void BroadPhase::update(const Bounds& whole) {
   whole_ = whole;
+  if (shape_ == nullptr && sides_.size() == 1) {
+    whole_.boxes[1] = whole_.boxes[0];  // it may touch itself anywhere
+  }
   margin_ = least_margin_ + 4 * whole.speed * interval_;
 }
 

@@ -21,8 +21,8 @@ struct Bounds {
 
 class BroadPhase {
  public:
-  /// @param sides     one side, or two if both partners are bodies
-  /// @param shape     the other partner; null if both partners are bodies
+  /// @param sides     one side, or two if the partners are two bodies
+  /// @param shape     the other partner; null if that is a body: the same one, where there is one side
   /// @param interval  time between two updates, s
   BroadPhase(std::vector<Side*> sides, const RigidShape* shape, double interval);
 

@@ -16,8 +16,8 @@ namespace idiophone::contact {
 struct Contacts::Pair {
   std::string name;
   Side first;
-  std::optional<Side> second;
-  const RigidShape* shape;  ///< null if the partner is a body
+  std::optional<Side> second;  ///< none if the partner is an obstacle or the body itself
+  const RigidShape* shape;     ///< null if the partner is a body
   BroadPhase broad_phase;
   NeighbourExchange exchange;
   Interaction interaction;
@@ -30,12 +30,14 @@ struct Contacts::Pair {
        double step, int steps_per_update, MPI_Comm communicator)
       : name(contact.name),
         first(contact_surfaces.skins[contact.body]),
-        second(contact.other ? std::optional<Side>(contact_surfaces.skins[*contact.other]) : std::nullopt),
-        shape(second ? nullptr : &contact_surfaces.shapes[*contact.obstacle]),
+        second(contact.other && *contact.other != contact.body
+                   ? std::optional<Side>(contact_surfaces.skins[*contact.other])
+                   : std::nullopt),
+        shape(contact.obstacle ? &contact_surfaces.shapes[*contact.obstacle] : nullptr),
         broad_phase(sides(), shape, step * steps_per_update),
         exchange(sides(), part, communicator),
-        interaction(second ? Interaction(contact, stiffness, step, first, *second)
-                           : Interaction(contact, stiffness, step, first, *shape)) {}
+        interaction(shape == nullptr ? Interaction(contact, stiffness, step, first, second ? *second : first)
+                                     : Interaction(contact, stiffness, step, first, *shape)) {}
 
   /// Those that are bodies': one or two.
   [[nodiscard]] std::vector<Side*> sides() {
@@ -57,12 +59,23 @@ struct Contacts::Pair {
   void choose_candidates() {
     if (exchange.participates()) {
       interaction.choose_candidates(exchange.known_cells(0),
-                                    second ? exchange.known_cells(1) : broad_phase.near_parts(), broad_phase.margin());
+                                    shape != nullptr ? broad_phase.near_parts() : exchange.known_cells(second ? 1 : 0),
+                                    broad_phase.margin());
+      keep_nodes_of_candidates();
     }
     if (!exchange.participates() || !interaction.may_touch()) {
       exchange.withdraw();
       interaction.release();
     }
+  }
+
+  void keep_nodes_of_candidates() {
+    if (second || shape != nullptr) {
+      return;  // known_cells() has chosen few enough: of a body that may touch itself, it has all
+    }
+    std::vector<Index> cells = interaction.cells(0);
+    cells.insert(cells.end(), interaction.cells(1).begin(), interaction.cells(1).end());
+    exchange.keep_nodes(0, cells);
   }
 
   void find_overlaps(parallel::Messages& messages) {

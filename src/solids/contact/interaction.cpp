@@ -11,7 +11,14 @@ Interaction::Interaction(const scene::Contact& contact, double stiffness, double
       stiffness_(stiffness / 2),
       step_(step),
       first_(&first),
-      second_(&second) {}
+      second_(&second),
+      sides_{&first} {
+  if (is_with_itself()) {
+    neighbours_.emplace(first.skin);
+  } else {
+    sides_.push_back(&second);
+  }
+}
 
 Interaction::Interaction(const scene::Contact& contact, double stiffness, double step, Side& first,
                          const RigidShape& second)
@@ -20,32 +27,62 @@ Interaction::Interaction(const scene::Contact& contact, double stiffness, double
       stiffness_(stiffness),
       step_(step),
       first_(&first),
-      shape_(&second) {}
+      shape_(&second),
+      sides_{&first} {}
 
 void Interaction::choose_candidates(const std::vector<Index>& first, const std::vector<Index>& second, double margin) {
   cells_ = {first, second};
   find_boxes();
-  // Sweep along x: only cells whose intervals overlap there are compared.
+  // Sweep along the longest axis: only cells whose intervals overlap there are compared.
+  Box whole;
+  std::ranges::for_each(boxes_[1], [&](const Box& box) { whole.extend(box); });
+  int axis = 0;
+  whole.sizes().maxCoeff(&axis);
   std::vector<Index> sweep(second.size());
   std::iota(sweep.begin(), sweep.end(), 0);
-  const auto left = [&](Index place) { return boxes_[1][place].min().x(); };
+  const auto left = [&](Index place) { return boxes_[1][place].min()[axis]; };
   std::ranges::sort(sweep, {}, left);
   double widest = 0.0;
   for (const Box& box : boxes_[1]) {
-    widest = std::max(widest, box.max().x() - box.min().x());
+    widest = std::max(widest, box.max()[axis] - box.min()[axis]);
   }
   candidates_.clear();
   for (std::size_t place = 0; place < first.size(); ++place) {
     const Vector3 more = Vector3::Constant(margin);
     const Box box(boxes_[0][place].min() - more, boxes_[0][place].max() + more);
-    for (auto partner = std::ranges::lower_bound(sweep, box.min().x() - widest, {}, left);
-         partner != sweep.end() && left(*partner) <= box.max().x(); ++partner) {
-      if (box.intersects(boxes_[1][*partner])) {
+    if (neighbours_) {
+      neighbours_->look_from(first[place]);
+    }
+    for (auto partner = std::ranges::lower_bound(sweep, box.min()[axis] - widest, {}, left);
+         partner != sweep.end() && left(*partner) <= box.max()[axis]; ++partner) {
+      if (box.intersects(boxes_[1][*partner]) && can_meet(first[place], second[*partner])) {
         candidates_.emplace_back(static_cast<Index>(place), *partner);
       }
     }
   }
   std::ranges::sort(candidates_);
+  keep_cells_of_candidates();
+}
+
+/// Of a body with itself, each pair is met once, and neighbours never meet.
+bool Interaction::can_meet(Index first, Index second) const {
+  return !neighbours_ || (first < second && !neighbours_->is_near(second));
+}
+
+void Interaction::keep_cells_of_candidates() {
+  for (std::size_t s = 0; s < 2; ++s) {
+    const auto place_of = [&](std::pair<Index, Index>& pair) -> Index& { return s == 0 ? pair.first : pair.second; };
+    std::vector<Index> kept, new_place(cells_.at(s).size(), -1);
+    std::ranges::for_each(candidates_, [&](auto& candidate) { new_place[place_of(candidate)] = 0; });
+    for (std::size_t place = 0; place < new_place.size(); ++place) {
+      if (new_place[place] == 0) {
+        new_place[place] = static_cast<Index>(kept.size());
+        kept.push_back(cells_.at(s)[place]);
+      }
+    }
+    std::ranges::for_each(candidates_, [&](auto& candidate) { place_of(candidate) = new_place[place_of(candidate)]; });
+    cells_.at(s) = std::move(kept);
+  }
 }
 
 void Interaction::find_boxes() {
@@ -67,8 +104,8 @@ void Interaction::find_near_pairs() {
 
 void Interaction::compute_forces(BondUpdate bonds) {
   gather_touches();
-  for (std::size_t which = 0; which < (second_ != nullptr ? 2U : 1U); ++which) {
-    Side& side = this->side(static_cast<int>(which));
+  for (std::size_t which = 0; which < sides_.size(); ++which) {
+    Side& side = *sides_[which];
     for (const Index node : touched_before_.at(which)) {
       if (!side.touch[node].any) {
         side.bond[node] = {};
@@ -84,9 +121,9 @@ void Interaction::compute_forces(BondUpdate bonds) {
 
 void Interaction::release() {
   clear();
-  for (std::size_t which = 0; which < (second_ != nullptr ? 2U : 1U); ++which) {
+  for (std::size_t which = 0; which < sides_.size(); ++which) {
     for (const Index node : touched_before_.at(which)) {
-      side(static_cast<int>(which)).bond[node] = {};
+      sides_[which]->bond[node] = {};
     }
     touched_before_.at(which).clear();
   }
@@ -94,8 +131,8 @@ void Interaction::release() {
 }
 
 void Interaction::clear() {
-  for (std::size_t which = 0; which < (second_ != nullptr ? 2U : 1U); ++which) {
-    Side& side = this->side(static_cast<int>(which));
+  for (std::size_t which = 0; which < sides_.size(); ++which) {
+    Side& side = *sides_[which];
     for (const Index node : side.touched) {
       side.touch[node] = {};
     }

@@ -7,9 +7,11 @@
 // pressure times its stretch over the largest depth, so all bonds of a side give way at the same stretch.
 
 #include <array>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "cell_neighbours.hpp"
 #include "idiophone/scene/contact_sections.hpp"
 #include "idiophone/solids/contact/contact_motion.hpp"
 #include "idiophone/solids/contact/contacts.hpp"
@@ -26,14 +28,19 @@ struct Portion {
 
 class Interaction {
  public:
-  /// @param stiffness  k, Pa/m
-  /// @param step       dt, s
+  /// @param stiffness      k, Pa/m
+  /// @param step           dt, s
+  /// @param first, second  one side twice: a body in contact with itself
   Interaction(const scene::Contact& contact, double stiffness, double step, Side& first, Side& second);
   Interaction(const scene::Contact& contact, double stiffness, double step, Side& first, const RigidShape& second);
 
   /// Chooses the pairs of cells that may overlap from now on: those whose boxes are within `margin` (m) of each other.
-  /// @param first, second  cells whose positions are known; parts of the shape, if that is the partner
+  /// Of a body with itself, each pair once, and none of neighbours.
+  /// @param first, second  cells whose positions are known, ascending; parts of the shape, if that is the partner
   void choose_candidates(const std::vector<Index>& first, const std::vector<Index>& second, double margin);
+
+  /// The cells of these pairs, ascending; parts of the shape, if that is the second partner.
+  [[nodiscard]] const std::vector<Index>& cells(std::size_t partner) const { return cells_.at(partner); }
 
   /// Whether there is any such pair: if not, nothing can touch, and nothing needs to be known.
   [[nodiscard]] bool may_touch() const { return !candidates_.empty(); }
@@ -57,20 +64,25 @@ class Interaction {
   void release();
 
   [[nodiscard]] double energy() const;  ///< stored in overlaps and bonds, J
-  /// The contact as a whole, now; all zero where nothing touches.
+  /// The contact as a whole, now; all zero where nothing touches. Of a body with itself: what acts on the parts that
+  /// the contact presses towards larger x, y or z, along whichever of them it presses most.
   [[nodiscard]] ContactMotion motion() const;
   [[nodiscard]] double deepest() const { return deepest_; }  ///< V_i/A over the touching surface, largest so far, m
   void set_deepest(double deepest) { deepest_ = deepest; }
 
  private:
   void find_boxes();
+  [[nodiscard]] bool can_meet(Index first, Index second) const;
+  void keep_cells_of_candidates();
   void gather_touches();
   void compute_normal_pressure(Side& side);
   void compute_friction(Side& side, BondUpdate bonds) const;
   void limit_stretch(const Vector3& slip, double depth, Bond& bond) const;
   void add_nodal_forces();
   void clear();
+  [[nodiscard]] bool is_with_itself() const { return first_ == second_; }
   [[nodiscard]] Side& side(int which) const { return *(which == 0 ? first_ : second_); }
+  [[nodiscard]] int axis_of_pressure() const;
   static Touch& touch_of(Side& side, Index node);
 
   scene::Friction friction_;
@@ -80,6 +92,8 @@ class Interaction {
   Side* first_;
   Side* second_ = nullptr;
   const RigidShape* shape_ = nullptr;
+  std::vector<Side*> sides_;                         ///< of the bodies, each once
+  std::optional<CellNeighbours> neighbours_;         ///< of a body in contact with itself
   std::array<std::vector<Index>, 2> cells_;          ///< that may touch, ascending
   std::array<std::vector<Box>, 2> boxes_;            ///< of these cells
   std::vector<std::pair<Index, Index>> candidates_;  ///< pairs of these cells, as places in the lists, ascending

@@ -135,9 +135,8 @@ void Interaction::add_nodal_forces() {
 
 double Interaction::energy() const {
   double energy = 0.0;
-  for (const Side* side : {first_, second_}) {
-    for (std::size_t t = 0; side != nullptr && t < side->touched.size(); ++t) {
-      const Index node = side->touched[t];
+  for (const Side* side : sides_) {
+    for (const Index node : side->touched) {
       const Touch& touch = side->touch[node];
       if (side->skin.areas[node] > 0) {
         energy += stiffness_ / 2 * touch.volume * touch.volume / side->skin.areas[node];
@@ -148,21 +147,33 @@ double Interaction::energy() const {
   return energy;
 }
 
+/// 0, 1 or 2: along x, y or z.
+int Interaction::axis_of_pressure() const {
+  Vector3 pressing = Vector3::Zero();  // N
+  for (const Side* side : sides_) {
+    for (const Index node : side->touched) {
+      pressing += side->touch[node].pressure * side->touch[node].area.cwiseAbs();
+    }
+  }
+  int axis = 0;
+  pressing.maxCoeff(&axis);
+  return axis;
+}
+
 ContactMotion Interaction::motion() const {
   ContactMotion motion;
   double weight = 0.0;
-  for (const Side* side : {first_, second_}) {
-    const double sign = side == first_ ? 1.0 : -1.0;
-    for (std::size_t t = 0; side != nullptr && t < side->touched.size(); ++t) {
-      const Index node = side->touched[t];
+  const int axis = axis_of_pressure();
+  for (const Side* side : sides_) {
+    for (const Index node : side->touched) {
       const Touch& touch = side->touch[node];
+      const bool is_of_first = is_with_itself() ? touch.area[axis] > 0 : side == first_;
+      const double sign = is_of_first ? 1.0 : -1.0;
       weight += touch.pressure * touch.surface;
       motion.point += touch.pressure * touch.moment;
       motion.normal += sign * touch.pressure * touch.area;
       motion.slip += sign * touch.pressure * touch.slip;
-      if (side == first_) {
-        motion.force += side->force[node];
-      }
+      motion.force += sign * (touch.pressure * touch.area + touch.surface * touch.friction);
     }
   }
   motion.overlap = overlaps_.volume();

@@ -138,6 +138,19 @@ void NeighbourExchange::take_nodes(const std::vector<double>& message, Peer& pee
   }
 }
 
+void NeighbourExchange::keep_nodes(std::size_t s, const std::vector<Index>& cells) {
+  std::vector<char> kept(sides_[s]->skin.nodes.size());
+  for (const Index cell : cells) {
+    for (const Index place : sides_[s]->skin.cells[cell]) {
+      kept[place] = 1;
+    }
+  }
+  std::erase_if(sent_[s], [&](const SkinNode& node) { return kept[node.place] == 0; });
+  for (Peer& peer : peers_) {
+    std::erase_if(peer.nodes.at(s), [&](Index place) { return kept[place] == 0; });
+  }
+}
+
 void NeighbourExchange::send_states(std::span<const solid::NodeState> state, parallel::Messages& messages) {
   std::vector<double> message;
   for (std::size_t s = 0; s < sides_.size(); ++s) {

@@ -38,6 +38,9 @@ class NeighbourExchange {
   /// Third part: receives the participants' nodes. Their positions are unknown until receive_states.
   void receive_nodes(const parallel::Messages& messages);
 
+  /// Leaves out all nodes of a side that no cell of a list has; the same list on all ranks that take part.
+  void keep_nodes(std::size_t side, const std::vector<Index>& cells);
+
   /// Sends positions and velocities of the nodes that may touch.
   /// @param state  [local nodes]
   void send_states(std::span<const solid::NodeState> state, parallel::Messages& messages);

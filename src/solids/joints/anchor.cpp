@@ -56,7 +56,7 @@ void Anchor::add_faces(const mesh::Mesh& mesh, const std::vector<mesh::ElementFa
   const double area = std::accumulate(shares_.begin(), shares_.end(), 0.0);
   std::ranges::for_each(shares_, [&](double& share) { share /= area; });
   middle_ /= area;
-  normal_.normalize();
+  normal_ /= area;
 }
 
 void Anchor::add_elements(const mesh::Mesh& mesh, const std::vector<Index>& elements) {

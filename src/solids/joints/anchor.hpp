@@ -31,7 +31,8 @@ class Anchor {
   [[nodiscard]] std::vector<double> slopes_along(const Vector3& direction) const;
 
   [[nodiscard]] const Vector3& middle() const { return middle_; }  ///< of the faces, m
-  [[nodiscard]] const Vector3& normal() const { return normal_; }  ///< of the faces, outward, on average; unit vector
+  /// Outward unit normal of the faces, on average: shorter where they face several ways, zero where they are closed.
+  [[nodiscard]] const Vector3& normal() const { return normal_; }
   [[nodiscard]] const Vector3& centre() const { return centre_; }  ///< of the elements, m
   [[nodiscard]] double radius() const { return radius_; }          ///< of a sphere around it that holds all nodes, m
   [[nodiscard]] double width() const { return width_; }            ///< cube root of the elements' volume, m

@@ -17,6 +17,42 @@ namespace {
 constexpr double rigid_link = 100;       // N/m, in moduli times the width of the part that is held
 constexpr std::size_t most_nodes = 500;  // of a body: each of them is tied to each
 constexpr double farthest_axis = 3;      // radii of the part that is held
+constexpr double farthest_place = 0.25;  // of a spring from the nearer surface, in sizes of its body
+
+/// From a place, m; 0 inside the sphere around one of the faces.
+double distance_to(const Faces& faces, const Vector3& place) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const SurfaceFace& face : faces) {
+    least = std::min(least, (face.centre() - place).norm() - face.radius());
+  }
+  return std::max(0.0, least);
+}
+
+double size_of(const mesh::Mesh& mesh) {
+  Eigen::AlignedBox3d box;
+  std::ranges::for_each(mesh.nodes, [&](const Vector3& node) { box.extend(node); });
+  return box.diagonal().norm();
+}
+
+/// A spring may be long: its place need not be near both surfaces.
+void require_place_near(const scene::Joint& joint, const std::vector<mesh::Mesh>& meshes) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const scene::JoinedSurface& surface : joint.surfaces) {
+    const mesh::Mesh& mesh = meshes[surface.body];
+    const double distance = distance_to(faces_of(surface, joint.name, mesh, 0), joint.place->at);
+    if (distance <= farthest_place * size_of(mesh)) {
+      return;
+    }
+    nearest = std::min(nearest, distance);
+  }
+  const Vector3& at = joint.place->at;
+  throw deck::DeckError(
+      joint.place->where,
+      fmt::format("joints.{}: the place [{:.6g}, {:.6g}, {:.6g}] is {:.3g} m from the nearer of '{}' "
+                  "and '{}', more than a quarter of the size of the body: give a place on one of "
+                  "these surfaces, or leave out at and radius",
+                  joint.name, at.x(), at.y(), at.z(), nearest, joint.surfaces[0].group, joint.surfaces[1].group));
+}
 
 /// The faces around the one that is nearest to a place.
 std::vector<mesh::ElementFace> faces_around(const scene::PatchPlace& place, const mesh::Mesh& mesh,
@@ -77,13 +113,35 @@ void append(MeshedJoint& link, const Anchor& one, const std::vector<double>& fir
   link.points.push_back(point);
 }
 
-/// Between the middles; along the normal where these are one.
-void append_spring(MeshedJoint& link, const Anchor& one, const Anchor& other) {
-  constexpr double same_place = 1e-6;  // widths
+struct SpringLine {
+  Vector3 direction;  ///< unit vector
+  double length;      ///< m
+};
+
+/// Between the middles; along the mean normal where these are one place. A surface that faces all ways has no such
+/// normal, and its mesh moves its middle a little.
+/// @throws deck::DeckError where a spring that pulls differently along and across its line has none
+SpringLine line_of(const scene::Joint& joint, const Anchor& one, const Anchor& other) {
+  constexpr double least_normal = 0.05;                                   // of the mean normal
+  constexpr double same_place = 1e-6, same_place_facing_all_ways = 0.05;  // widths
   const Vector3 line = other.middle() - one.middle();
-  const bool has_length = line.norm() > same_place * one.width();
-  append(link, one, one.shares(), other, other.shares(), has_length ? Vector3(line.normalized()) : one.normal(),
-         has_length ? line.norm() : 0.0);
+  const bool has_normal = one.normal().norm() > least_normal;
+  if (line.norm() > (has_normal ? same_place : same_place_facing_all_ways) * one.width()) {
+    return {line.normalized(), line.norm()};
+  }
+  if (!has_normal && joint.stiffness->normal != joint.stiffness->tangential) {
+    throw deck::DeckError(
+        joint.where, fmt::format("joints.{}: the middles of '{}' and '{}' are at the same place, and the surfaces face "
+                                 "all ways, so that axial and lateral have no direction: give one number as stiffness, "
+                                 "or at and radius of the part of the surfaces that the spring holds",
+                                 joint.name, joint.surfaces[0].group, joint.surfaces[1].group));
+  }
+  return {has_normal ? one.normal().normalized() : Vector3::UnitX(), 0.0};
+}
+
+void append_spring(MeshedJoint& link, const scene::Joint& joint, const Anchor& one, const Anchor& other) {
+  const SpringLine line = line_of(joint, one, other);
+  append(link, one, one.shares(), other, other.shares(), line.direction, line.length);
 }
 
 void require_near(const Vector3& end, const Anchor& anchor, const scene::Joint& joint,
@@ -136,6 +194,9 @@ std::vector<MeshedJoint> mesh_link(const scene::Joint& joint, std::size_t number
   const auto anchor = [&](const scene::JoinedSurface& surface) {
     return anchor_of(joint, surface, meshes[surface.body], first_node[surface.body]);
   };
+  if (joint.place) {
+    require_place_near(joint, meshes);
+  }
   const Anchor one = anchor(joint.surfaces[0]), other = anchor(joint.surfaces[1]);
   const double rigid = rigid_link * modulus * std::min(one.width(), other.width());
   const scene::JointStiffness stiffness = joint.stiffness.value_or(scene::JointStiffness{rigid, rigid});
@@ -148,7 +209,7 @@ std::vector<MeshedJoint> mesh_link(const scene::Joint& joint, std::size_t number
   if (joint.type == scene::JointType::hinge) {
     append_hinge(link, joint, one, other);
   } else {
-    append_spring(link, one, other);
+    append_spring(link, joint, one, other);
   }
   std::vector<MeshedJoint> links = {std::move(link)};
   if (joint.turning) {
