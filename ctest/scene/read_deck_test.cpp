@@ -210,8 +210,9 @@ TEST_F(ReadDeck, ReadsContacts) {
            "contacts:\n"
            "  bounce: {between: [floor, plate], friction: 0.3, damping: 1e-6}\n"
            "  lean: {between: [bar, wall], friction: {sticking: 0.4, sliding: 0.2}, stiffness: 1e12}\n"
-           "  clash: {between: [plate, bar]}\n");
-  ASSERT_EQ(scene.contacts.size(), 3U);
+           "  clash: {between: [plate, bar]}\n"
+           "  rub: {between: [bar, floor], friction: {type: elasto_plastic, sliding: 0.2, stiffness: 3e4}}\n");
+  ASSERT_EQ(scene.contacts.size(), 4U);
   const Contact& bounce = scene.contacts[0];
   EXPECT_EQ(bounce.name, "bounce");
   EXPECT_EQ(scene.bodies.at(bounce.body).name, "plate");
@@ -227,6 +228,7 @@ TEST_F(ReadDeck, ReadsContacts) {
   EXPECT_EQ(scene.obstacles.at(lean.obstacle.value()).name, "wall");
   EXPECT_EQ(lean.friction.sticking, 0.4);
   EXPECT_EQ(lean.friction.sliding, 0.2);
+  EXPECT_FALSE(lean.friction.memory);
   EXPECT_EQ(lean.stiffness, 1e12);
   const Contact& clash = scene.contacts[2];
   EXPECT_EQ(scene.bodies.at(clash.body).name, "plate");
@@ -234,6 +236,10 @@ TEST_F(ReadDeck, ReadsContacts) {
   EXPECT_FALSE(clash.obstacle);
   EXPECT_EQ(clash.friction.sticking, 0.0);
   EXPECT_EQ(clash.damping, 0.0);
+  const friction::Law& law = scene.contacts[3].friction.memory.value();
+  EXPECT_EQ(law.sticking, friction::Law().sticking);
+  EXPECT_EQ(law.sliding, 0.2);
+  EXPECT_EQ(law.stiffness, 3e4);
 }
 
 TEST_F(ReadDeck, ReadsWinds) {

@@ -10,8 +10,7 @@ Interaction::Interaction(const scene::Contact& contact, double stiffness, double
       damping_(contact.damping),
       stiffness_(stiffness / 2),
       step_(step),
-      first_(&first),
-      second_(&second) {}
+      both_{&first, &second} {}
 
 Interaction::Interaction(const scene::Contact& contact, double stiffness, double step, Side& first,
                          const RigidShape& second)
@@ -19,7 +18,7 @@ Interaction::Interaction(const scene::Contact& contact, double stiffness, double
       damping_(contact.damping),
       stiffness_(stiffness),
       step_(step),
-      first_(&first),
+      both_{&first, nullptr},
       shape_(&second) {}
 
 void Interaction::choose_candidates(const std::vector<Index>& first, const std::vector<Index>& second, double margin) {
@@ -67,7 +66,7 @@ void Interaction::find_near_pairs() {
 
 void Interaction::compute_forces(BondUpdate bonds) {
   gather_touches();
-  for (std::size_t which = 0; which < (second_ != nullptr ? 2U : 1U); ++which) {
+  for (std::size_t which = 0; which < sides().size(); ++which) {
     Side& side = this->side(static_cast<int>(which));
     for (const Index node : touched_before_.at(which)) {
       if (!side.touch[node].any) {
@@ -75,16 +74,14 @@ void Interaction::compute_forces(BondUpdate bonds) {
       }
     }
     compute_normal_pressure(side);
-    if (friction_.sticking > 0) {
-      compute_friction(side, bonds);
-    }
   }
+  compute_friction(bonds);
   add_nodal_forces();
 }
 
 void Interaction::release() {
   clear();
-  for (std::size_t which = 0; which < (second_ != nullptr ? 2U : 1U); ++which) {
+  for (std::size_t which = 0; which < sides().size(); ++which) {
     for (const Index node : touched_before_.at(which)) {
       side(static_cast<int>(which)).bond[node] = {};
     }
@@ -94,7 +91,7 @@ void Interaction::release() {
 }
 
 void Interaction::clear() {
-  for (std::size_t which = 0; which < (second_ != nullptr ? 2U : 1U); ++which) {
+  for (std::size_t which = 0; which < sides().size(); ++which) {
     Side& side = this->side(static_cast<int>(which));
     for (const Index node : side.touched) {
       side.touch[node] = {};
@@ -112,13 +109,13 @@ void Interaction::find_overlaps(const Portion& portion) {
   for (const auto& [i, j] : std::span(near_).subspan(begin, end - begin)) {
     const Index a = cells_[0][i];
     const Index b = cells_[1][j];
-    const Tetrahedron mine = first_->tetrahedron(a);
+    const Tetrahedron mine = both_[0]->tetrahedron(a);
     const std::array<Plane, 4> my_planes = {mine.plane(0), mine.plane(1), mine.plane(2), mine.plane(3)};
-    const Cell first{a, &mine, my_planes, first_->skin.exterior[a]};
-    if (second_ != nullptr) {
-      const Tetrahedron other = second_->tetrahedron(b);
+    const Cell first{a, &mine, my_planes, both_[0]->skin.exterior[a]};
+    if (both_[1] != nullptr) {
+      const Tetrahedron other = both_[1]->tetrahedron(b);
       const std::array<Plane, 4> planes = {other.plane(0), other.plane(1), other.plane(2), other.plane(3)};
-      overlaps_.add(first, {b, &other, planes, second_->skin.exterior[b]});
+      overlaps_.add(first, {b, &other, planes, both_[1]->skin.exterior[b]});
     } else {
       const Index plane = shape_->first_plane[b];
       const Index count = shape_->first_plane[b + 1] - plane;
