@@ -75,7 +75,7 @@ inline std::string every_key(const std::string& plate, const std::string& surrou
          "  rock: {shape: surface, at: [0, 0, 0], mesh: plate.geo}\n"
          "contacts:\n"
          "  bounce: {between: [plate, floor], friction: {sticking: 1, sliding: 1}}\n"
-         "  tip: {between: [plate, block]}\n"
+         "  tip: {between: [plate, block], friction: {type: elasto_plastic}}\n"
          "  roll: {between: [plate, ball]}\n"
          "  ring: {between: [plate, post]}\n"
          "  drop: {between: [plate, rock]}\n"
@@ -121,6 +121,7 @@ inline const std::map<std::string, std::string>& every_path() {
       {"obstacles.NAME, shape: surface", "obstacles.rock"},
       {"contacts.NAME", "contacts.bounce"},
       {"contacts.NAME.friction", "contacts.bounce.friction"},
+      {"contacts.NAME.friction, type: elasto_plastic", "contacts.tip.friction"},
       {"joints.NAME, type: glue", "joints.glue"},
       {"joints.NAME, type: bolt", "joints.rivet"},
       {"joints.NAME, type: spring", "joints.coil"},

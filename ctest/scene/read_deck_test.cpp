@@ -211,8 +211,9 @@ TEST_F(ReadDeck, ReadsContacts) {
            "  bounce: {between: [floor, plate], friction: 0.3, damping: 1e-6}\n"
            "  lean: {between: [bar, wall], friction: {sticking: 0.4, sliding: 0.2}, stiffness: 1e12}\n"
            "  clash: {between: [plate, bar]}\n"
-           "  fold: {between: [bar, bar]}\n");
-  ASSERT_EQ(scene.contacts.size(), 4U);
+           "  fold: {between: [bar, bar]}\n"
+           "  rub: {between: [bar, floor], friction: {type: elasto_plastic, sliding: 0.2, stiffness: 3e4}}\n");
+  ASSERT_EQ(scene.contacts.size(), 5U);
   const Contact& bounce = scene.contacts[0];
   EXPECT_EQ(bounce.name, "bounce");
   EXPECT_EQ(scene.bodies.at(bounce.body).name, "plate");
@@ -228,6 +229,7 @@ TEST_F(ReadDeck, ReadsContacts) {
   EXPECT_EQ(scene.obstacles.at(lean.obstacle.value()).name, "wall");
   EXPECT_EQ(lean.friction.sticking, 0.4);
   EXPECT_EQ(lean.friction.sliding, 0.2);
+  EXPECT_FALSE(lean.friction.memory);
   EXPECT_EQ(lean.stiffness, 1e12);
   const Contact& clash = scene.contacts[2];
   EXPECT_EQ(scene.bodies.at(clash.body).name, "plate");
@@ -238,6 +240,10 @@ TEST_F(ReadDeck, ReadsContacts) {
   const Contact& fold = scene.contacts[3];
   EXPECT_EQ(scene.bodies.at(fold.body).name, "bar");
   EXPECT_EQ(fold.other, fold.body);
+  const friction::Law& law = scene.contacts[4].friction.memory.value();
+  EXPECT_EQ(law.sticking, friction::Law().sticking);
+  EXPECT_EQ(law.sliding, 0.2);
+  EXPECT_EQ(law.stiffness, 3e4);
 }
 
 TEST_F(ReadDeck, ReadsWinds) {

@@ -1,5 +1,6 @@
 #include "idiophone/scene/bow_keys.hpp"
 
+#include "friction_keys.hpp"
 #include "idiophone/scene/course_keys.hpp"
 #include "idiophone/scene/sections.hpp"
 
@@ -10,19 +11,8 @@ namespace {
 struct LawKeys {};
 
 bool read(const Node& node, Mistakes& mistakes, friction::Law& law, const LawKeys& /*rule*/) {
-  constexpr Range coefficient{.above = 0.0, .at_most = 10.0};
-  constexpr Range per_speed{.at_least = 0.0, .at_most = 1e6, .unit = "N s/m"};
   Section section(node, mistakes);
-  const bool has_sticking = section.optional("sticking", law.sticking, coefficient);
-  if (section.optional("sliding", law.sliding, coefficient) && has_sticking && law.sliding > law.sticking) {
-    mistakes.add(
-        node, fmt::format("the coefficient of sliding, {}, is above that of sticking, {}", law.sliding, law.sticking));
-  }
-  section.optional("stribeck_speed", law.stribeck_speed, Range{.at_least = 1e-6, .at_most = 1e3, .unit = "m/s"});
-  section.optional("stiffness", law.stiffness, Range{.at_least = 1.0, .at_most = 1e12, .unit = "N/m"});
-  section.optional("damping", law.damping, per_speed);
-  section.optional("viscosity", law.viscosity, per_speed);
-  section.optional("break_away", law.break_away, Range{.at_least = 0.0, .at_most = 0.99});
+  read_law(section, law);
   return section.finish();
 }
 

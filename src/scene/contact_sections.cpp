@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "friction_keys.hpp"
 #include "idiophone/scene/sections.hpp"
 
 namespace idiophone::scene {
@@ -45,7 +46,21 @@ static bool read(const Node& node, Mistakes& mistakes, Contact& contact, const T
   return true;
 }
 
-/// A number, or {sticking, sliding}.
+namespace {
+
+/// The keys sticking and sliding.
+void read_coulomb(Section& section, Friction& friction, const Range& coefficient) {
+  const bool has_sticking = section.required("sticking", friction.sticking, coefficient);
+  if (section.required("sliding", friction.sliding, coefficient) && has_sticking &&
+      friction.sliding > friction.sticking) {
+    section.mistakes().add(*section.find("sliding"), fmt::format("must be at most sticking, which is {}, found {}",
+                                                                 friction.sticking, friction.sliding));
+  }
+}
+
+}  // namespace
+
+/// A number, {sticking, sliding} or {type: elasto_plastic, ...}
 static bool read(const Node& node, Mistakes& mistakes, Friction& friction) {
   constexpr Range coefficient{.at_least = 0.0, .at_most = 100.0};
   if (node.kind != Node::Kind::map) {
@@ -54,14 +69,16 @@ static bool read(const Node& node, Mistakes& mistakes, Friction& friction) {
     return good;
   }
   Section section(node, mistakes);
-  section.required("sticking", friction.sticking, coefficient);
-  section.required("sliding", friction.sliding, coefficient);
-  const bool good = section.finish();
-  if (good && friction.sliding > friction.sticking) {
-    return mistakes.add(*section.find("sliding"), fmt::format("must be at most sticking, which is {}, found {}",
-                                                              friction.sticking, friction.sliding));
+  bool has_memory = false;
+  if (!section.optional("type", has_memory, Choices<bool>{{{"coulomb", false}, {"elasto_plastic", true}}})) {
+    return false;  // the other keys depend on it
   }
-  return good;
+  if (has_memory) {
+    read_law(section, friction.memory.emplace());
+  } else {
+    read_coulomb(section, friction, coefficient);
+  }
+  return section.finish();
 }
 
 /// Without friction.

@@ -86,6 +86,19 @@ TEST(ContactSurfaces, RaiseTheSquaredFrequencyOfBothPartners) {
                                             testing::DoubleEq(10.0 * (first + second)), 0.0));
 }
 
+TEST(ContactSurfaces, WithBristlesStiffenAndDampBothPartners) {
+  Blocks blocks;
+  blocks.surfaces.stiffness = {10.0, 1000.0};
+  blocks.scene.contacts[0].friction.memory = friction::Law{.stiffness = 3.0, .damping = 0.5, .viscosity = 0.25};
+  blocks.scene.contacts[1].friction.memory = friction::Law{.stiffness = 100.0};
+  const double first = 5.0, second = 7.0;  // largest inverse masses, 1/kg
+  const auto bounds = bristle_bounds(blocks.scene, blocks.inverse_mass, blocks.surfaces);
+  EXPECT_DOUBLE_EQ(bounds[1].square, 3.0 * (first + second));
+  EXPECT_DOUBLE_EQ(bounds[1].damping, 0.75 * (first + second));
+  EXPECT_DOUBLE_EQ(bounds[0].square, 3.0 * (first + second) + 100.0 * first);
+  EXPECT_EQ(bounds[2].square, 0.0);
+}
+
 TEST(ContactSurfaces, ChosenForAShareReachIt) {
   Blocks blocks;
   choose_stiffness(blocks.scene, blocks.inverse_mass, 1000.0, stiffness_share, blocks.surfaces);

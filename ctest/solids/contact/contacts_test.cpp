@@ -110,10 +110,15 @@ scene::Contact rough() {
   return contact;
 }
 
-ON_RANKS(1, 3);
+scene::Contact rough_with_memory() {
+  scene::Contact contact = rough();
+  contact.friction.memory = friction::Law{.stiffness = 200.0, .damping = 0.1, .viscosity = 0.1};
+  return contact;
+}
 
-TEST(Contacts, ForcesHaveTheSameBitsOnAnyNumberOfRanks) {
-  TwoCubes shared(MPI_COMM_WORLD, rough()), alone(MPI_COMM_SELF, rough());
+/// The same motion of the same cubes on all ranks together and on each one alone.
+void expect_the_same_bits(const scene::Contact& contact) {
+  TwoCubes shared(MPI_COMM_WORLD, contact), alone(MPI_COMM_SELF, contact);
   Vector3 largest = Vector3::Zero();
   for (int step = 0; step < 40; ++step) {
     const double depth = 0.05 * std::sin(0.1 * step);
@@ -127,6 +132,13 @@ TEST(Contacts, ForcesHaveTheSameBitsOnAnyNumberOfRanks) {
   }
   EXPECT_GT(largest.z(), 10.0);
   EXPECT_GT(largest.x(), 1.0);  // friction
+}
+
+ON_RANKS(1, 3);
+
+TEST(Contacts, ForcesHaveTheSameBitsOnAnyNumberOfRanks) {
+  expect_the_same_bits(rough());
+  expect_the_same_bits(rough_with_memory());
 }
 
 TEST(Contacts, AnImpactKeepsMomentumAndEnergyAndExchangesVelocities) {
@@ -192,11 +204,11 @@ TEST(Contacts, ReportTheirMotionOnOneRank) {
   EXPECT_GT(cubes.contacts().deepest(0), 0.005);
 }
 
-TEST(Contacts, ContinueFromTheirArchiveToTheBit) {
+void expect_to_go_on_from_the_archive(const scene::Contact& contact) {
   const auto compute = [](TwoCubes& cubes, int step, BondUpdate bonds) {
     cubes.compute({Vector3::Zero(), Vector3(1e-4 * step, 0, -0.03)}, {Vector3::Zero(), Vector3(0.1, 0, 0)}, bonds);
   };
-  TwoCubes straight(MPI_COMM_WORLD, rough()), stopped(MPI_COMM_WORLD, rough()), resumed(MPI_COMM_WORLD, rough());
+  TwoCubes straight(MPI_COMM_WORLD, contact), stopped(MPI_COMM_WORLD, contact), resumed(MPI_COMM_WORLD, contact);
   support::MemoryArchive archive(MPI_COMM_WORLD);
   for (int step = 0; step < 8; ++step) {
     compute(straight, step, BondUpdate::stretch);
@@ -211,6 +223,11 @@ TEST(Contacts, ContinueFromTheirArchiveToTheBit) {
   compute(straight, 8, BondUpdate::stretch);
   compute(resumed, 8, BondUpdate::stretch);
   EXPECT_EQ(resumed.forces(), straight.forces());
+}
+
+TEST(Contacts, ContinueFromTheirArchiveToTheBit) {
+  expect_to_go_on_from_the_archive(rough());
+  expect_to_go_on_from_the_archive(rough_with_memory());
 }
 
 TEST(Contacts, DoNotAskForStatesWhileTheSidesAreFar) {

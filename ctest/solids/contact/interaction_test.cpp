@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "idiophone/foundation/friction/elasto_plastic_friction.hpp"
 #include "overlapping_blocks.hpp"
 #include "ranks.hpp"
 
@@ -190,6 +191,76 @@ TEST(Interaction, FrictionHoldsUpToItsLimitAndSlidesBelowIt) {
   }
   EXPECT_NEAR(most, -0.5 * pressing, 0.01 * pressing);
   EXPECT_NEAR(last, -0.3 * pressing, 0.001 * pressing);
+}
+
+/// A contact whose friction has memory.
+scene::Contact with_memory() {
+  scene::Contact contact;
+  contact.friction.memory =
+      friction::Law{.sticking = 0.8, .sliding = 0.3, .stiffness = 1e7, .damping = 5, .viscosity = 2};
+  return contact;
+}
+
+/// Slips as a whole, sticks, turns round, and rubs as one bow under the whole load does, within a
+/// share of the load. Returns what the bow stores, J.
+double expect_the_friction_of_a_bow(Interaction& interaction, Side& side, const friction::Law& law, double share) {
+  friction::ElastoPlasticFriction bow(law, step, friction::Deflection::end);
+  double largest = 0.0;
+  for (int i = 0; i < 600; ++i) {
+    const double velocity = 0.1 * std::sin(0.02 * i) * std::exp(-0.002 * i);
+    std::ranges::fill(side.velocity, Vector3(0, velocity, 0));
+    compute(interaction, BondUpdate::stretch);
+    const double load = interaction.motion().force.z();
+    const double force = bow.force(velocity, load);
+    bow.advance(velocity, load);
+    EXPECT_NEAR(interaction.motion().force.y(), -force, share * load) << i;
+    largest = std::max(largest, force / load);
+  }
+  EXPECT_GT(largest, 0.5);
+  return bow.stored_energy();
+}
+
+TEST_P(Elements, FrictionWithMemoryRubsAsABowUnderTheWholeLoad) {
+  const auto above = [](double depth) { return [=](const Vector3& x) { return Vector3(x - Vector3(0, 0, depth)); }; };
+  const scene::Contact contact = with_memory();
+  Block block(GetParam(), {1, 1, 0.5}, {2, 2, 1}, above(1e-3));
+  const RigidShape shape = make_shape(scene::Obstacle{});
+  Interaction on_floor(contact, stiffness, step, block.side, shape);
+  on_floor.choose_candidates(block.cells(), {0}, 0.1);
+  const double stored = expect_the_friction_of_a_bow(on_floor, block.side, *contact.friction.memory, 1e-9);
+  const double with_bristles = on_floor.energy();
+  std::ranges::fill(block.side.bond, Bond{});
+  compute(on_floor);
+  EXPECT_GT(stored, 1e-6);
+  EXPECT_NEAR(with_bristles - on_floor.energy(), stored, 1e-9 * with_bristles);
+
+  Block lower(GetParam(), {1, 1, 0.5}, {3, 3, 1}, above(0.5));
+  Interaction of_two(contact, stiffness, step, block.side, lower.side);
+  of_two.choose_candidates(block.cells(), lower.cells(), 0.1);
+  (void)expect_the_friction_of_a_bow(of_two, block.side, *contact.friction.memory, 1e-3);  // edges are uneven
+}
+
+TEST(Interaction, BristlesThatNoLongerTouchForgetWhatWas) {
+  Block block(element::tet4, {1, 1, 0.5}, {2, 2, 1}, [](const Vector3& x) { return Vector3(x - Vector3(0, 0, 1e-3)); });
+  const RigidShape shape = make_shape(scene::Obstacle{});
+  Interaction interaction(with_memory(), stiffness, step, block.side, shape);
+  interaction.choose_candidates(block.cells(), {0}, 0.1);
+  std::ranges::fill(block.side.velocity, Vector3(1, 0, 0));
+  compute(interaction, BondUpdate::stretch);
+  std::ranges::fill(block.side.velocity, Vector3::Zero());
+  compute(interaction, BondUpdate::stretch);
+  EXPECT_LT(interaction.motion().force.x(), -1.0);
+  const auto lift = [&](double height) {
+    for (Vector3& x : block.side.position) {
+      x.z() += height;
+    }
+    compute(interaction, BondUpdate::stretch);
+  };
+  lift(2e-3);
+  EXPECT_EQ(interaction.motion().force, Vector3::Zero());
+  lift(-2e-3);
+  EXPECT_GT(interaction.motion().force.z(), 1.0);
+  EXPECT_NEAR(interaction.motion().force.x(), 0.0, 1e-12);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/foundation/friction/law.hpp"
 #include "idiophone/foundation/types.hpp"
 #include "idiophone/scene/meshing_settings.hpp"
 
@@ -45,6 +46,7 @@ struct Obstacle {
 struct Friction {
   double sticking = 0.0;
   double sliding = 0.0;
+  std::optional<friction::Law> memory{};  ///< friction with memory in place of Coulomb's; the load is the normal force
 };
 
 /// A contact between two bodies, between a body and an obstacle, or of a body with itself. Other pairs pass through

@@ -1,35 +1,55 @@
 #include "idiophone/foundation/friction/elasto_plastic_friction.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "idiophone/foundation/bracketed_root.hpp"
 
 namespace idiophone::friction {
 
+namespace {
+
+double break_away_deflection(const Law& law, double load) {
+  return law.break_away * load * law.sliding / law.stiffness;
+}
+
+}  // namespace
+
+double sliding_deflection(const Law& law, double speed, double load) {
+  const double ratio = speed / law.stribeck_speed;
+  const double coefficient = law.sliding + (law.sticking - law.sliding) * std::exp(-ratio * ratio);
+  return load * coefficient / law.stiffness;
+}
+
+double share_of_sliding(const Law& law, double deflection, double speed, double load) {
+  const double breaks = break_away_deflection(law, load);
+  return std::clamp((deflection - breaks) / (sliding_deflection(law, speed, load) - breaks), 0.0, 1.0);
+}
+
+double bent(const Law& law, double before, double way, double speed, double load) {
+  const double free = before + way;
+  const double sliding = sliding_deflection(law, speed, load);
+  const double breaks = break_away_deflection(law, load);
+  if (free <= breaks) {
+    return free;
+  }
+  if (before >= sliding) {
+    return free * sliding / (sliding + way);
+  }
+  const double square = way / (sliding * (sliding - breaks)), linear = 1.0 - square * breaks;
+  return 2.0 * free / (linear + std::sqrt(linear * linear + 4.0 * square * free));
+}
+
+double damping(const Law& law, double speed, double load) {
+  return law.damping / (1.0 + 0.25 * law.damping * speed / (law.sliding * load));
+}
+
 ElastoPlasticFriction::ElastoPlasticFriction(const Law& law, double step, Deflection deflection)
     : law_(law), share_(deflection == Deflection::mean ? 0.5 : 1.0), reach_(share_ * step) {}
 
-double ElastoPlasticFriction::sliding_deflection(double velocity, double load) const {
-  const double ratio = velocity / law_.stribeck_speed;
-  const double coefficient = law_.sliding + (law_.sticking - law_.sliding) * std::exp(-ratio * ratio);
-  return load * coefficient / law_.stiffness;
-}
-
-/// With the way w = reach |v|, it is the y that solves y + w a(y) y/z_v = z + w, taken positive in the direction of v.
 double ElastoPlasticFriction::used_deflection(double velocity, double load) const {
-  const double sign = velocity < 0.0 ? -1.0 : 1.0;
-  const double before = sign * deflection_, way = reach_ * std::abs(velocity);
-  const double free = before + way;
-  const double sliding = sliding_deflection(velocity, load);
-  const double breaks = law_.break_away * load * law_.sliding / law_.stiffness;
-  if (free <= breaks) {
-    return sign * free;
-  }
-  if (before >= sliding) {
-    return sign * free * sliding / (sliding + way);
-  }
-  const double square = way / (sliding * (sliding - breaks)), linear = 1.0 - square * breaks;
-  return sign * 2.0 * free / (linear + std::sqrt(linear * linear + 4.0 * square * free));
+  const double sign = velocity < 0.0 ? -1.0 : 1.0, speed = std::abs(velocity);
+  return sign * bent(law_, sign * deflection_, reach_ * speed, speed, load);
 }
 
 double ElastoPlasticFriction::force(double velocity, double load) const {
@@ -38,8 +58,7 @@ double ElastoPlasticFriction::force(double velocity, double load) const {
   }
   const double used = used_deflection(velocity, load);
   const double rate = (used - deflection_) / reach_;
-  const double damping = law_.damping / (1.0 + 0.25 * law_.damping * std::abs(velocity) / (law_.sliding * load));
-  return law_.stiffness * used + damping * rate + law_.viscosity * velocity;
+  return law_.stiffness * used + damping(law_, std::abs(velocity), load) * rate + law_.viscosity * velocity;
 }
 
 double ElastoPlasticFriction::velocity(double free, double mobility, double load) const {

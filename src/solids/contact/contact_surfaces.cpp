@@ -25,6 +25,19 @@ double compliance(const scene::Contact& contact, std::span<const double> inverse
          (contact.other ? largest_compliance(contact_surfaces.skins[*contact.other], inverse_mass) : 0.0);
 }
 
+double largest_inverse_mass(const Skin& skin, std::span<const double> inverse_mass) {
+  double largest = 0.0;
+  for (const Index node : skin.nodes) {
+    largest = std::max(largest, inverse_mass[node]);
+  }
+  return largest;
+}
+
+void add(const BristleBounds& more, BristleBounds& bounds) {
+  bounds.square += more.square;
+  bounds.damping += more.damping;
+}
+
 double largest_share(const scene::Solids& solids, const scene::Contact& contact) {
   const auto has_hexahedra = [&](std::size_t body) {
     return element::has_choice_of_orders(solids.bodies[body].element);
@@ -83,6 +96,27 @@ std::vector<double> squared_frequencies(const scene::Solids& solids, std::span<c
     }
   }
   return squares;
+}
+
+std::vector<BristleBounds> bristle_bounds(const scene::Solids& solids, std::span<const double> inverse_mass,
+                                          const ContactSurfaces& contact_surfaces) {
+  std::vector<BristleBounds> bounds(solids.bodies.size());
+  for (const scene::Contact& contact : solids.contacts) {
+    if (!contact.friction.memory) {
+      continue;
+    }
+    const friction::Law& law = *contact.friction.memory;
+    double mobility = largest_inverse_mass(contact_surfaces.skins[contact.body], inverse_mass);
+    if (contact.other) {
+      mobility += largest_inverse_mass(contact_surfaces.skins[*contact.other], inverse_mass);
+    }
+    const BristleBounds more{law.stiffness * mobility, (law.damping + law.viscosity) * mobility};
+    add(more, bounds[contact.body]);
+    if (contact.other) {
+      add(more, bounds[*contact.other]);
+    }
+  }
+  return bounds;
 }
 
 }  // namespace idiophone::contact

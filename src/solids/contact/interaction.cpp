@@ -10,13 +10,9 @@ Interaction::Interaction(const scene::Contact& contact, double stiffness, double
       damping_(contact.damping),
       stiffness_(stiffness / 2),
       step_(step),
-      first_(&first),
-      second_(&second),
-      sides_{&first} {
+      both_{&first, &second} {
   if (is_with_itself()) {
     neighbours_.emplace(first.skin);
-  } else {
-    sides_.push_back(&second);
   }
 }
 
@@ -26,9 +22,8 @@ Interaction::Interaction(const scene::Contact& contact, double stiffness, double
       damping_(contact.damping),
       stiffness_(stiffness),
       step_(step),
-      first_(&first),
-      shape_(&second),
-      sides_{&first} {}
+      both_{&first, nullptr},
+      shape_(&second) {}
 
 void Interaction::choose_candidates(const std::vector<Index>& first, const std::vector<Index>& second, double margin) {
   cells_ = {first, second};
@@ -104,26 +99,24 @@ void Interaction::find_near_pairs() {
 
 void Interaction::compute_forces(BondUpdate bonds) {
   gather_touches();
-  for (std::size_t which = 0; which < sides_.size(); ++which) {
-    Side& side = *sides_[which];
+  for (std::size_t which = 0; which < sides().size(); ++which) {
+    Side& side = this->side(static_cast<int>(which));
     for (const Index node : touched_before_.at(which)) {
       if (!side.touch[node].any) {
         side.bond[node] = {};
       }
     }
     compute_normal_pressure(side);
-    if (friction_.sticking > 0) {
-      compute_friction(side, bonds);
-    }
   }
+  compute_friction(bonds);
   add_nodal_forces();
 }
 
 void Interaction::release() {
   clear();
-  for (std::size_t which = 0; which < sides_.size(); ++which) {
+  for (std::size_t which = 0; which < sides().size(); ++which) {
     for (const Index node : touched_before_.at(which)) {
-      sides_[which]->bond[node] = {};
+      side(static_cast<int>(which)).bond[node] = {};
     }
     touched_before_.at(which).clear();
   }
@@ -131,8 +124,8 @@ void Interaction::release() {
 }
 
 void Interaction::clear() {
-  for (std::size_t which = 0; which < sides_.size(); ++which) {
-    Side& side = *sides_[which];
+  for (std::size_t which = 0; which < sides().size(); ++which) {
+    Side& side = this->side(static_cast<int>(which));
     for (const Index node : side.touched) {
       side.touch[node] = {};
     }
@@ -149,13 +142,13 @@ void Interaction::find_overlaps(const Portion& portion) {
   for (const auto& [i, j] : std::span(near_).subspan(begin, end - begin)) {
     const Index a = cells_[0][i];
     const Index b = cells_[1][j];
-    const Tetrahedron mine = first_->tetrahedron(a);
+    const Tetrahedron mine = both_[0]->tetrahedron(a);
     const std::array<Plane, 4> my_planes = {mine.plane(0), mine.plane(1), mine.plane(2), mine.plane(3)};
-    const Cell first{a, &mine, my_planes, first_->skin.exterior[a]};
-    if (second_ != nullptr) {
-      const Tetrahedron other = second_->tetrahedron(b);
+    const Cell first{a, &mine, my_planes, both_[0]->skin.exterior[a]};
+    if (both_[1] != nullptr) {
+      const Tetrahedron other = both_[1]->tetrahedron(b);
       const std::array<Plane, 4> planes = {other.plane(0), other.plane(1), other.plane(2), other.plane(3)};
-      overlaps_.add(first, {b, &other, planes, second_->skin.exterior[b]});
+      overlaps_.add(first, {b, &other, planes, both_[1]->skin.exterior[b]});
     } else {
       const Index plane = shape_->first_plane[b];
       const Index count = shape_->first_plane[b + 1] - plane;

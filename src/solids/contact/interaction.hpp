@@ -4,10 +4,14 @@
 // pressure k V_i/A_i acts along the partner's normals. (With one potential W(V) for the whole volume the pressure would
 // be the same everywhere, and nothing would keep a block that stands on a plate from tilting.) Between two bodies, each
 // side's field counts half. Coulomb friction goes through bonds that stretch before they slide: a bond pulls with the
-// pressure times its stretch over the largest depth, so all bonds of a side give way at the same stretch.
+// pressure times its stretch over the largest depth, so all bonds of a side give way at the same stretch. With friction
+// with memory, the bonds are bristles (bristles.hpp): each node has a share of the law's stiffness, damping and
+// viscosity, that of the load which it carries. So they, too, all give way at the same deflection, and surfaces that
+// slip as a whole rub as the law says.
 
 #include <array>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -76,23 +80,31 @@ class Interaction {
   void keep_cells_of_candidates();
   void gather_touches();
   void compute_normal_pressure(Side& side);
-  void compute_friction(Side& side, BondUpdate bonds) const;
+  void compute_friction(BondUpdate bonds);
+  void rub(Side& side, BondUpdate bonds) const;
+  /// Friction over pressure, against the motion.
+  [[nodiscard]] Vector3 coulomb_pull(const Vector3& slip, const Vector3& normal, double depth, BondUpdate bonds,
+                                     Bond& bond) const;
+  [[nodiscard]] Vector3 bristle_pull(const Vector3& slip, const Vector3& normal, BondUpdate bonds, Bond& bond) const;
   void limit_stretch(const Vector3& slip, double depth, Bond& bond) const;
   void add_nodal_forces();
+  [[nodiscard]] double energy_of_bond(const Touch& touch, const Vector3& stretch) const;
   void clear();
-  [[nodiscard]] bool is_with_itself() const { return first_ == second_; }
-  [[nodiscard]] Side& side(int which) const { return *(which == 0 ? first_ : second_); }
+  [[nodiscard]] bool is_with_itself() const { return both_[0] == both_[1]; }
+  /// Those that are bodies', each once.
+  [[nodiscard]] std::span<Side* const> sides() const {
+    return {both_.data(), both_[1] != nullptr && !is_with_itself() ? 2U : 1U};
+  }
+  [[nodiscard]] Side& side(int which) const { return *both_.at(static_cast<std::size_t>(which)); }
   [[nodiscard]] int axis_of_pressure() const;
   static Touch& touch_of(Side& side, Index node);
 
   scene::Friction friction_;
-  double damping_;    ///< s
-  double stiffness_;  ///< of one side's field, Pa/m
-  double step_;       ///< s
-  Side* first_;
-  Side* second_ = nullptr;
+  double damping_;             ///< s
+  double stiffness_;           ///< of one side's field, Pa/m
+  double step_;                ///< s
+  std::array<Side*, 2> both_;  ///< null for an obstacle; one side twice for a body with itself
   const RigidShape* shape_ = nullptr;
-  std::vector<Side*> sides_;                         ///< of the bodies, each once
   std::optional<CellNeighbours> neighbours_;         ///< of a body in contact with itself
   std::array<std::vector<Index>, 2> cells_;          ///< that may touch, ascending
   std::array<std::vector<Box>, 2> boxes_;            ///< of these cells
@@ -100,6 +112,7 @@ class Interaction {
   std::vector<std::pair<Index, Index>> near_;        ///< those whose boxes overlap
   Overlaps overlaps_;
   std::array<std::vector<Index>, 2> touched_before_;
+  double load_ = 0.0;  ///< sum of pressure times surface of all nodes, N
   double deepest_ = 0.0;
 };
 

@@ -1,4 +1,4 @@
-// What overlaps do to the nodes: pressure, friction, and the sums over a contact.
+// What overlaps do to the nodes: pressure, forces, and the sums over a contact.
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +33,7 @@ void Interaction::gather_touches() {
         slip += share.own(i, j) * own.velocity[node];
         touch.moment += share.own(i, j) * own.position[node];
       }
-      if (second_ != nullptr) {
+      if (both_[1] != nullptr) {
         const Side& other = side(1 - share.side);
         const auto& partners = other.skin.cells[share.other_cell];
         for (Eigen::Index j = 0; j < 4; ++j) {
@@ -61,46 +61,6 @@ void Interaction::compute_normal_pressure(Side& side) {
   }
 }
 
-void Interaction::compute_friction(Side& side, BondUpdate bonds) const {
-  double depth = 0.0;  // the largest depth: there a bond is as stiff as the overlap, elsewhere softer
-  for (const Index node : side.touched) {
-    depth = std::max(depth, side.touch[node].pressure / stiffness_);
-  }
-  for (const Index node : side.touched) {
-    Touch& touch = side.touch[node];
-    Bond& bond = side.bond[node];
-    if (touch.pressure == 0) {
-      bond = {};
-      continue;
-    }
-    const Vector3 normal = touch.area.normalized();
-    const Vector3 velocity = touch.slip / touch.surface;
-    const Vector3 slip = velocity - velocity.dot(normal) * normal;
-    if (bonds == BondUpdate::stretch) {
-      bond.stretch += step_ * slip;
-      bond.stretch -= bond.stretch.dot(normal) * normal;
-      limit_stretch(slip, depth, bond);
-    }
-    Vector3 pull = bond.stretch / depth;
-    if (bond.sliding == 0) {
-      pull += damping_ / depth * slip;  // contact damping acts along the surface, too, while the bond holds
-      pull *= std::min(1.0, friction_.sticking / std::max(pull.norm(), 1e-300));
-    }
-    touch.friction = -touch.pressure * pull;
-  }
-}
-
-void Interaction::limit_stretch(const Vector3& slip, double depth, Bond& bond) const {
-  const double stretch = bond.stretch.norm();
-  const bool slides = bond.sliding != 0 ? bond.stretch.dot(slip) > 0 : stretch > friction_.sticking * depth;
-  bond.sliding = slides ? 1 : 0;
-  // A bond that slides pulls with all that sliding friction can; one that holds, not with more than it can hold.
-  const double limit = slides ? friction_.sliding * depth : std::min(stretch, friction_.sticking * depth);
-  if (stretch > 0) {
-    bond.stretch *= limit / stretch;
-  }
-}
-
 void Interaction::add_nodal_forces() {
   for (const CellShare& share : overlaps_.cells()) {
     Side& own = side(share.side);
@@ -122,7 +82,7 @@ void Interaction::add_nodal_forces() {
       for (Eigen::Index j = 0; j < 4; ++j) {
         own.force[nodes.at(j)] += share.own(i, j) * traction;
       }
-      if (second_ != nullptr) {
+      if (both_[1] != nullptr) {
         Side& other = side(1 - share.side);
         const auto& partners = other.skin.cells[share.other_cell];
         for (Eigen::Index j = 0; j < 4; ++j) {
@@ -135,12 +95,12 @@ void Interaction::add_nodal_forces() {
 
 double Interaction::energy() const {
   double energy = 0.0;
-  for (const Side* side : sides_) {
+  for (const Side* side : sides()) {
     for (const Index node : side->touched) {
       const Touch& touch = side->touch[node];
       if (side->skin.areas[node] > 0) {
         energy += stiffness_ / 2 * touch.volume * touch.volume / side->skin.areas[node];
-        energy -= touch.surface / 2 * touch.friction.dot(side->bond[node].stretch);
+        energy += energy_of_bond(touch, side->bond[node].stretch);
       }
     }
   }
@@ -150,7 +110,7 @@ double Interaction::energy() const {
 /// 0, 1 or 2: along x, y or z.
 int Interaction::axis_of_pressure() const {
   Vector3 pressing = Vector3::Zero();  // N
-  for (const Side* side : sides_) {
+  for (const Side* side : sides()) {
     for (const Index node : side->touched) {
       pressing += side->touch[node].pressure * side->touch[node].area.cwiseAbs();
     }
@@ -164,10 +124,10 @@ ContactMotion Interaction::motion() const {
   ContactMotion motion;
   double weight = 0.0;
   const int axis = axis_of_pressure();
-  for (const Side* side : sides_) {
+  for (const Side* side : sides()) {
     for (const Index node : side->touched) {
       const Touch& touch = side->touch[node];
-      const bool is_of_first = is_with_itself() ? touch.area[axis] > 0 : side == first_;
+      const bool is_of_first = is_with_itself() ? touch.area[axis] > 0 : side == both_[0];
       const double sign = is_of_first ? 1.0 : -1.0;
       weight += touch.pressure * touch.surface;
       motion.point += touch.pressure * touch.moment;

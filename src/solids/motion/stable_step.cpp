@@ -49,7 +49,7 @@ double relaxation_time(std::span<const scene::Contact> contacts) {
 /// step leaves less. A step is stable while w^2 step^2/4 + c step/2 < 1, with c = 2 zeta w; contact adds to w^2 and to
 /// c.
 double affordable_share(std::optional<double> step, double relaxation, const std::vector<StableStep>& bodies,
-                        double largest_frequency) {
+                        const std::vector<contact::BristleBounds>& bristles, double largest_frequency) {
   if (!step) {
     return contact::stiffness_share_of_hexahedra;
   }
@@ -57,9 +57,10 @@ double affordable_share(std::optional<double> step, double relaxation, const std
   constexpr double least = 0.01;  // where the step leaves nothing, choose_steps_per_sample refuses it
   const double half = *step / 2;
   double room = margin;
-  for (const StableStep& body : bodies) {
-    const double w = body.largest_frequency;
-    room = std::min(room, margin - w * w * half * half - body.damping * half);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const double w = bodies[b].largest_frequency;
+    const double stiff = (w * w + bristles[b].square) * half * half;
+    room = std::min(room, margin - stiff - (bodies[b].damping + bristles[b].damping) * half);
   }
   const double square = largest_frequency * largest_frequency;
   return std::clamp(room / (square * half * (half + relaxation)), least, contact::stiffness_share_of_hexahedra);
@@ -76,13 +77,14 @@ void stiffen_by_contact(const scene::Solids& solids, std::optional<double> step,
                         double largest_frequency, contact::ContactSurfaces& contact_surfaces,
                         std::vector<StableStep>& steps) {
   const double relaxation = relaxation_time(solids.contacts);
+  const auto bristles = contact::bristle_bounds(solids, inverse_masses.of_model, contact_surfaces);
   contact::choose_stiffness(solids, inverse_masses.of_mesh, largest_frequency,
-                            affordable_share(step, relaxation, steps, largest_frequency), contact_surfaces);
+                            affordable_share(step, relaxation, steps, bristles, largest_frequency), contact_surfaces);
   const std::vector<double> squares = contact::squared_frequencies(solids, inverse_masses.of_model, contact_surfaces);
   for (std::size_t b = 0; b < steps.size(); ++b) {
     if (squares[b] > 0 && steps[b].is_limited()) {
-      const double w = std::hypot(steps[b].largest_frequency, std::sqrt(squares[b]));
-      steps[b].step = largest_step(w, steps[b].damping + relaxation * squares[b]);
+      const double w = std::hypot(steps[b].largest_frequency, std::sqrt(squares[b] + bristles[b].square));
+      steps[b].step = largest_step(w, steps[b].damping + relaxation * squares[b] + bristles[b].damping);
     }
   }
 }

@@ -5,6 +5,24 @@
 
 namespace idiophone::friction {
 
+/// Length of z_v, the deflection of steady sliding at a speed (below), m.
+/// @param speed  m/s
+/// @param load   that presses the surfaces together, N
+[[nodiscard]] double sliding_deflection(const Law& law, double speed, double load);
+
+/// a, the share of sliding (below), for bristles that are not bent against the motion.
+/// @param deflection  its length, m
+[[nodiscard]] double share_of_sliding(const Law& law, double deflection, double speed, double load);
+
+/// The y that solves y + way a(y) y/z_v = before + way: the deflection in the direction of the motion, after a way, m.
+/// @param before  deflection before, negative if it is against the motion, m
+/// @param way     on which the speed and the load stay the same, m
+[[nodiscard]] double bent(const Law& law, double before, double way, double speed, double load);
+
+/// The damping of the bristles, lower at high speed so that they never give energy (below), N s/m.
+/// @param load  N, above 0
+[[nodiscard]] double damping(const Law& law, double speed, double load);
+
 /// Which deflection of the bristles makes the force of a time step.
 enum class Deflection {
   mean,  ///< of those before and after the step
@@ -61,8 +79,6 @@ class ElastoPlasticFriction {
  private:
   /// The z that makes the force of a step.
   [[nodiscard]] double used_deflection(double velocity, double load) const;
-  /// |z_v|, m.
-  [[nodiscard]] double sliding_deflection(double velocity, double load) const;
 
   Law law_;
   double share_;  // of the step that is over where z is used

@@ -46,4 +46,16 @@ void choose_stiffness(const scene::Solids& solids, std::span<const double> inver
 [[nodiscard]] std::vector<double> squared_frequencies(const scene::Solids& solids, std::span<const double> inverse_mass,
                                                       const ContactSurfaces& contact_surfaces);
 
+/// What the bristles of friction with memory add to a body at most.
+struct BristleBounds {
+  double square = 0.0;   ///< to the square of its largest eigenfrequency, 1/s2
+  double damping = 0.0;  ///< to its rate of damping c, as StableStep::damping, 1/s
+};
+
+/// The sum over a body's contacts with such friction: stiffness, and damping with viscosity, times the largest inverse
+/// masses of both sides' skins. The shares of the nodes in them add up to 1. [bodies]
+[[nodiscard]] std::vector<BristleBounds> bristle_bounds(const scene::Solids& solids,
+                                                        std::span<const double> inverse_mass,
+                                                        const ContactSurfaces& contact_surfaces);
+
 }  // namespace idiophone::contact
