@@ -5,9 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <numeric>
 
 #include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
 #include "ranks.hpp"
@@ -91,6 +93,45 @@ TEST(RunDecks, OfWhichRankZeroIsToldTheMistakeFailEverywhere) {
 TEST(RunDecks, NeedTheRecordingsThatTheyName) {
   const support::Folder folder;
   expect_mistake("free.yaml", {"bodies.bell.recording=" + (folder / "nothing.h5").string()}, "bodies.bell.recording");
+}
+
+/// All numbers of the initial state, and those that follow from it.
+std::vector<double> numbers_of(const Preparation& ready) {
+  const motion::InitialState& state = ready.initial_state;
+  std::vector<double> numbers = {static_cast<double>(ready.steps_per_sample)};
+  const auto add = [&](const auto& values) { numbers.insert(numbers.end(), values.begin(), values.end()); };
+  for (std::size_t b = 0; b < state.steps.size(); ++b) {
+    const motion::StableStep& step = state.steps[b];
+    add(std::array{step.largest_frequency, step.damping, step.step, step.highest_loss,
+                   static_cast<double>(step.element), state.scaling[b].gain, state.scaling[b].shift});
+    add(step.centre);
+    add(state.centres[b]);
+    add(state.moments[b].reshaped());
+  }
+  for (const motion::Piece& piece : state.pieces) {
+    numbers.push_back(piece.mass);
+    add(piece.centre);
+    add(piece.moments.reshaped());
+  }
+  add(state.masses);
+  add(state.surface_densities);
+  add(state.displacement);
+  add(ready.contact_surfaces.stiffness);
+  return numbers;
+}
+
+ON_RANKS(3);
+
+TEST(Preparation, FindsTheSameInitialStateOnAnyNumberOfRanks) {
+  for (const char* deck : {"touching", "joined", "hexahedra", "breaking", "materials", "taut", "rich"}) {
+    const std::string name = std::string(deck) + ".yaml";
+    const std::vector<double> together = numbers_of(prepared(name));
+    std::vector<double> alone;
+    scene::Scene scene = read_deck(decks + name, {}, MPI_COMM_WORLD);
+    parallel::on_root(MPI_COMM_WORLD, [&] { alone = numbers_of(prepare(std::move(scene), MPI_COMM_SELF)); });
+    parallel::broadcast(alone, MPI_COMM_WORLD);
+    EXPECT_EQ(together, alone) << deck;
+  }
 }
 
 }  // namespace

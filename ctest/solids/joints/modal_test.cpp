@@ -218,7 +218,7 @@ struct PushedBar {
     double step = 1.0;
     for (std::size_t body = 0; body < bar.scene.bodies.size(); ++body) {
       const auto model = models(part, body);
-      step = std::min(step, (model ? *model : elements.model(body)).stable_step(supports).step);
+      step = std::min(step, (model ? *model : elements.model(body)).stable_step(supports, {}).step);
     }
     return step;
   }

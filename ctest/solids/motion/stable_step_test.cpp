@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "idiophone/foundation/parallel/petsc.hpp"
 #include "laboratory.hpp"
 #include "ranks.hpp"
 
@@ -91,6 +92,49 @@ TEST(ChooseStepsPerSample, IsAMultipleOfTheReadsAndHonoursTheDeck) {
   scene.time.steps_per_sample = 20;
   EXPECT_THROW((void)choose_steps_per_sample(scene.time, scene.audio, 1e-6, 0.0), std::runtime_error);
 }
+
+/// On ranks that share the block: the fifth of its nodes has a support, and one end is held.
+class SharedStableStep : public ::testing::TestWithParam<element::Type> {
+ protected:
+  SharedStableStep() : lab(support::block_mesh(GetParam(), {0.2, 0.1, 0.05}, {4, 3, 2})) {
+    lab.scene.materials[0].damping = {5, 1e-5};
+    lab.fix("x0");
+    lab.scene.bodies[0].supports.push_back({"foot", {}, 1e4, 3.0});
+    lab.attachments.bodies[0].supports.push_back({{5}, {1.0}});
+    part = mesh::distribute({lab.mesh}, MPI_COMM_WORLD);
+  }
+
+  [[nodiscard]] StableStep together() const {
+    return find_stable_steps(part, FiniteElementDynamics(lab.scene, part, lab.attachments), MPI_COMM_WORLD)[0];
+  }
+
+  Laboratory lab;
+  mesh::Part part;
+};
+
+ON_RANKS(1, 2, 3);
+
+TEST_P(SharedStableStep, HasTheBitsOfOneRank) {
+  const StableStep alone = find_stable_steps(lab.part, FiniteElementDynamics(lab.scene, lab.part, lab.attachments))[0];
+  const StableStep shared = together();
+  EXPECT_EQ(shared.largest_frequency, alone.largest_frequency);
+  EXPECT_EQ(shared.damping, alone.damping);
+  EXPECT_EQ(shared.step, alone.step);
+  EXPECT_EQ(shared.element, alone.element);
+  EXPECT_EQ(shared.centre, alone.centre);
+}
+
+TEST_P(SharedStableStep, FailsOnAllRanksTogether) {
+  parallel::petsc(PetscOptionsSetValue(nullptr, "-stable_step_eps_max_it", "1"));
+  parallel::petsc(PetscOptionsSetValue(nullptr, "-stable_step_eps_tol", "1e-15"));
+  EXPECT_THROW(static_cast<void>(together()), std::runtime_error);
+  parallel::petsc(PetscOptionsClearValue(nullptr, "-stable_step_eps_max_it"));
+  parallel::petsc(PetscOptionsClearValue(nullptr, "-stable_step_eps_tol"));
+  EXPECT_GT(together().step, 0.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Elements, SharedStableStep,
+                         ::testing::Values(element::tet4, element::tet10, element::hex(3, 2)));
 
 }  // namespace
 }  // namespace idiophone::motion

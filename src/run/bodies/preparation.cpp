@@ -110,20 +110,20 @@ Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& whole, MP
     ready.contact_surfaces = contact::find_contact_surfaces(ready.scene, meshes);
     check_placement(ready, meshes);
     ready.modal_bases = find_modal_bases(ready, meshes);
-    ready.initial_state = motion::find_initial_state(ready.scene, own_step(ready.scene), meshes, ready.attachments,
-                                                     ready.contact_surfaces, ready.models());
-    ready.steps_per_sample = find_steps_per_sample(ready);
   });
   ready.attachments = motion::broadcast(std::move(ready.attachments), ready.scene, communicator);
-  ready.contact_surfaces = contact::broadcast(std::move(ready.contact_surfaces), communicator);
   ready.modal_bases = modal_bodies::broadcast(std::move(ready.modal_bases), communicator);
-  ready.initial_state = motion::broadcast(std::move(ready.initial_state), communicator);
-  parallel::broadcast(ready.steps_per_sample, communicator);
   parallel::broadcast(ready.mesh_hash, communicator);
   for (auto* offsets : {&ready.offsets.nodes, &ready.offsets.elements, &ready.offsets.triangles}) {
     parallel::broadcast(*offsets, communicator);
   }
   ready.part = mesh::distribute(meshes, communicator, motion::coupled_nodes(ready.attachments));
+  ready.initial_state =
+      motion::find_initial_state(ready.scene, own_step(ready.scene), meshes, ready.part, ready.attachments,
+                                 ready.contact_surfaces, ready.models(), communicator);
+  ready.contact_surfaces = contact::broadcast(std::move(ready.contact_surfaces), communicator);
+  parallel::on_root(communicator, [&] { ready.steps_per_sample = find_steps_per_sample(ready); });
+  parallel::broadcast(ready.steps_per_sample, communicator);
   if (ready.scene.radiation.needs_radii()) {
     ready.radii = find_radii(ready, meshes, communicator);
   }

@@ -68,7 +68,7 @@ double ModalBody::largest_eigenvalue(std::span<const double> springs) const {
   return own.empty() ? 0.0 : inertia_.largest_eigenvalue(shapes_, is_free_, own) + of_residual;
 }
 
-motion::StableStep ModalBody::stable_step(const motion::Supports& supports) const {
+motion::StableStep ModalBody::stable_step(const motion::Supports& supports, const motion::BodyRanks& /*ranks*/) const {
   motion::StableStep result;
   result.damping = largest_eigenvalue(supports.damping);
   result.largest_frequency =

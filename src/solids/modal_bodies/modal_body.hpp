@@ -45,7 +45,8 @@ class ModalBody : public motion::BodyModel {
   [[nodiscard]] std::span<const double> masses() const override { return inertia_.masses(); }
   [[nodiscard]] std::vector<double> inverse_masses() const override;
   /// Modes do not limit it, but the residual flexibility is to be resolved, and supports stiffen it.
-  [[nodiscard]] motion::StableStep stable_step(const motion::Supports& supports) const override;
+  [[nodiscard]] motion::StableStep stable_step(const motion::Supports& supports,
+                                               const motion::BodyRanks& ranks) const override;
   /// Of the shapes, those of all nodes and in packs, and of stretching.
   [[nodiscard]] std::size_t bytes() const override {
     return 2 * modes_ * masses().size() * sizeof(Vector3) + coordinates_.bytes();

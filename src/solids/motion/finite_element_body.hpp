@@ -48,8 +48,9 @@ class FiniteElementBody : public BodyModel {
   void update_nodes(std::span<NodeState> /*state*/) override {}
   [[nodiscard]] std::span<const double> masses() const override { return mass_.lumped(); }
   [[nodiscard]] std::vector<double> inverse_masses() const override;
-  /// By the largest eigenfrequency, which SLEPc finds. A body all of whose nodes are held has none.
-  [[nodiscard]] StableStep stable_step(const Supports& supports) const override;
+  /// By the largest eigenfrequency, which SLEPc finds on rank 0 from the forces that all ranks compute. A body all of
+  /// whose nodes are held has none.
+  [[nodiscard]] StableStep stable_step(const Supports& supports, const BodyRanks& ranks) const override;
   [[nodiscard]] std::size_t bytes() const override { return solid_.bytes(); }
   void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state, const Vector3& centre,
                 const BodyUnits& unit, std::span<BodySums> sums) const override;

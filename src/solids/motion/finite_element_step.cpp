@@ -5,11 +5,16 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <stdexcept>
 
+#include "body_operator.hpp"
 #include "finite_element_body.hpp"
 #include "idiophone/foundation/element/reference.hpp"
+#include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/foundation/parallel/gather.hpp"
 #include "idiophone/foundation/parallel/petsc.hpp"
+#include "idiophone/foundation/parallel/reduce.hpp"
 
 namespace idiophone::motion {
 
@@ -17,70 +22,26 @@ using parallel::petsc;
 
 namespace {
 
-/// y = L^T K L x for one body, with L L^T = M^-1 (solid::Mass) and held components left out; at rest Kelvin-Voigt's
-/// damping force gives K x exactly.
-struct BodyOperator {
-  const mesh::BodyPart& body;
-  const solid::Solid& solid;
-  const solid::Mass& mass;
-  std::span<const char> held;         ///< 1 where a component is held, [3 x owned nodes of the body]
-  std::span<const double> stiffness;  ///< of supports, [owned nodes of all bodies]
-  std::vector<NodeState> state;
-  std::vector<NodeForce> force;
-
-  [[nodiscard]] std::size_t size() const { return held.size(); }
-  [[nodiscard]] NodeState& node(std::size_t component) { return state[body.owned_begin + component / 3]; }
-
-  /// L x, zero where it is held.
-  [[nodiscard]] std::vector<double> displacements(std::span<const double> x) const {
-    std::vector<double> moved(x.begin(), x.end());
-    mass.apply_inverse_factor(moved);
-    leave_out_held(moved);
-    return moved;
-  }
-
-  void apply(std::span<const double> x, std::span<double> result) {
-    const std::vector<double> moved = displacements(x);
-    for (std::size_t c = 0; c < size(); ++c) {
-      node(c).velocity[c % 3] = moved[c];
-    }
-    std::ranges::fill(force, NodeForce{});
-    solid.add_linear_stiffness_force(state, force);
-    for (std::size_t c = 0; c < size(); ++c) {
-      const std::size_t node = body.owned_begin + c / 3;
-      result[c] = stiffness[node] * state[node].velocity[c % 3] - force[node].component[c % 3];
-    }
-    leave_out_held(result);
-    mass.apply_transposed_inverse_factor(result);
-  }
-
- private:
-  void leave_out_held(std::span<double> values) const {
-    for (std::size_t c = 0; c < size(); ++c) {
-      values[c] = held[c] != 0 ? 0.0 : values[c];
-    }
-  }
-};
-
 PetscErrorCode apply_operator(Mat matrix, Vec in, Vec out) {
   PetscFunctionBegin;
-  BodyOperator* body = nullptr;
-  PetscCall(MatShellGetContext(matrix, static_cast<void*>(&body)));
+  SharedOperator* shared = nullptr;
+  PetscCall(MatShellGetContext(matrix, static_cast<void*>(&shared)));
   const PetscScalar* x = nullptr;
   PetscScalar* y = nullptr;
   PetscCall(VecGetArrayRead(in, &x));
   PetscCall(VecGetArrayWrite(out, &y));
-  body->apply({x, body->size()}, {y, body->size()});
+  shared->apply({x, shared->size()}, {y, shared->size()});
   PetscCall(VecRestoreArrayWrite(out, &y));
   PetscCall(VecRestoreArrayRead(in, &x));
   PetscFunctionReturn(0);
 }
 
-/// The largest eigenvalue (w^2) and its vector, by SLEPc's Krylov-Schur method on this rank alone.
-double largest_eigenvalue(BodyOperator& body, std::vector<double>& vector) {
-  const auto size = static_cast<PetscInt>(body.size());
+/// The largest eigenvalue (w^2) and its vector, by SLEPc's Krylov-Schur method, which rank 0 runs alone, so that its
+/// sums do not depend on the number of ranks.
+double largest_eigenvalue(SharedOperator& shared, std::vector<double>& vector) {
+  const auto size = static_cast<PetscInt>(shared.size());
   parallel::Handle<Mat> matrix;
-  petsc(MatCreateShell(PETSC_COMM_SELF, size, size, size, size, &body, matrix.out()));
+  petsc(MatCreateShell(PETSC_COMM_SELF, size, size, size, size, &shared, matrix.out()));
   petsc(MatShellSetOperation(matrix, MATOP_MULT, reinterpret_cast<void (*)()>(apply_operator)));
   parallel::Handle<EPS> solver;
   petsc(EPSCreate(PETSC_COMM_SELF, solver.out()));
@@ -108,17 +69,42 @@ double largest_eigenvalue(BodyOperator& body, std::vector<double>& vector) {
   return value;
 }
 
-/// Place in `body` of the element that holds most energy of a mode of L^T K L.
-std::size_t most_strained_element(BodyOperator& body, const std::vector<double>& mode) {
+/// The largest eigenvalue, on all ranks. Collective.
+/// @param mode  set to its vector at this rank's nodes, [3 x owned nodes of the body]
+double find_largest_eigenvalue(BodyOperator& own, const BodyRows& rows, MPI_Comm communicator,
+                               std::vector<double>& mode) {
+  double square = 0.0;
+  std::vector<double> whole;  // on rank 0
+  {
+    SharedOperator shared(own, rows, communicator);
+    shared.help();
+    parallel::on_root(communicator, [&] {
+      const SharedOperator::End end(shared);
+      square = largest_eigenvalue(shared, whole);
+    });
+  }
+  mode.resize(own.size());
+  rows.scatter(whole, mode);
+  return parallel::from_root(square, communicator);
+}
+
+/// An element, and the energy of a mode in it.
+struct StrainedElement {
+  double energy = -std::numeric_limits<double>::infinity();
+  Index element = 0;                 ///< global number
+  Vector3 centre = Vector3::Zero();  ///< m
+};
+
+/// Energy of a mode of L^T K L in the elements computed here. Collective.
+std::vector<double> energies(BodyOperator& body, const std::vector<double>& mode, MPI_Comm communicator) {
   constexpr double small = 1e-12;  // displacements so small that the strain is linear
   const std::vector<double> moved = body.displacements(mode);
-  const double largest = std::abs(*std::ranges::max_element(moved, {}, [](double u) { return std::abs(u); }));
-  body.state.assign(body.state.size(), NodeState{});
+  double here = 0.0;
+  std::ranges::for_each(moved, [&](double u) { here = std::max(here, std::abs(u)); });
+  const double largest = parallel::largest(here, communicator);
   std::vector<double> energy(body.body.element_ids.size());
   const auto add_energy = [&](double factor) {
-    for (std::size_t c = 0; c < moved.size(); ++c) {
-      body.node(c).displacement[c % 3] = moved[c] * factor;
-    }
+    body.displace(moved, factor);
     std::vector<double> stored(energy.size());
     body.solid.elastic_energy(body.state, stored);
     std::ranges::transform(energy, stored, energy.begin(), std::plus());
@@ -127,16 +113,7 @@ std::size_t most_strained_element(BodyOperator& body, const std::vector<double>&
   if (body.solid.is_prestressed()) {
     add_energy(-small / largest);  // without the work of the prestress on the first order of strain
   }
-  return std::ranges::max_element(energy) - energy.begin();
-}
-
-/// 1 where a component is held. [3 x owned nodes of the body]
-std::vector<char> held_flags(const mesh::BodyPart& body, std::span<const Index> held) {
-  std::vector<char> flags(3 * static_cast<std::size_t>(body.owned_end - body.owned_begin));
-  for (const Index component : held) {
-    flags[component - 3 * body.owned_begin] = 1;
-  }
-  return flags;
+  return energy;
 }
 
 Vector3 element_centre(const mesh::BodyPart& body, std::size_t element, const std::vector<Vector3>& reference) {
@@ -148,34 +125,66 @@ Vector3 element_centre(const mesh::BodyPart& body, std::size_t element, const st
   return centre;
 }
 
+/// The element with the largest of the energies, on any rank; the first one if there are several. Collective.
+StrainedElement most_strained_element(const mesh::BodyPart& body, const std::vector<double>& energy,
+                                      const std::vector<Vector3>& reference, MPI_Comm communicator) {
+  StrainedElement most;
+  for (std::size_t element = 0; element < energy.size(); ++element) {
+    if (body.owned[element] != 0 && energy[element] > most.energy) {
+      most = {energy[element], body.element_ids[element], element_centre(body, element, reference)};
+    }
+  }
+  for (const StrainedElement& other : parallel::gather(most, communicator)) {
+    if (other.energy > most.energy || (other.energy == most.energy && other.element < most.element)) {
+      most = other;
+    }
+  }
+  return most;
+}
+
+/// 1 where a component is held. [3 x owned nodes of the body]
+std::vector<char> held_flags(const mesh::BodyPart& body, std::span<const Index> held) {
+  std::vector<char> flags(3 * static_cast<std::size_t>(body.owned_end - body.owned_begin));
+  for (const Index component : held) {
+    flags[component - 3 * body.owned_begin] = 1;
+  }
+  return flags;
+}
+
 }  // namespace
 
-StableStep FiniteElementBody::stable_step(const Supports& supports) const {
+StableStep FiniteElementBody::stable_step(const Supports& supports, const BodyRanks& ranks) const {
   StableStep result;
   result.highest_loss = highest_loss_;
   const std::vector<char> held = held_flags(body_, constraints_.held_components(number_));
-  if (std::ranges::all_of(held, [](char flag) { return flag != 0; })) {
+  const auto free = static_cast<std::int32_t>(std::ranges::count(held, 0) > 0);
+  if (parallel::largest(free, ranks.communicator) == 0) {
     return result;
   }
-  BodyOperator whole{.body = body_,
-                     .solid = solid_,
-                     .mass = mass_,
-                     .held = held,
-                     .stiffness = supports.stiffness,
-                     .state = std::vector<NodeState>(part_.node_ids.size()),
-                     .force = std::vector<NodeForce>(part_.node_ids.size())};
+  BodyOperator own{.part = part_,
+                   .body = body_,
+                   .solid = solid_,
+                   .mass = mass_,
+                   .held = held,
+                   .stiffness = supports.stiffness,
+                   .ghosts = ranks.ghosts,
+                   .state = std::vector<NodeState>(part_.node_ids.size()),
+                   .force = std::vector<NodeForce>(part_.node_ids.size())};
   std::vector<double> mode;
-  const double square = largest_eigenvalue(whole, mode) * (1 + solid_.geometric_share());
+  const double square =
+      find_largest_eigenvalue(own, BodyRows(part_, body_, 3, ranks.communicator), ranks.communicator, mode) *
+      (1 + solid_.geometric_share());
   const double w = result.largest_frequency = std::sqrt(square);
   double rate = 0.0;  // largest c/m of the dashpots, 1/s
   for (Index node = body_.owned_begin; node < body_.owned_end; ++node) {
     rate = std::max(rate, supports.damping[node] / mass_.lumped(node));
   }
-  result.damping = mass_damping_ + rate + solid_.damping(w);
+  result.damping = mass_damping_ + parallel::largest(rate, ranks.communicator) + solid_.damping(w);
   result.step = largest_step(w, result.damping);
-  const std::size_t element = most_strained_element(whole, mode);
-  result.element = body_.element_ids[element];
-  result.centre = element_centre(body_, element, part_.reference);
+  const StrainedElement most =
+      most_strained_element(body_, energies(own, mode, ranks.communicator), part_.reference, ranks.communicator);
+  result.element = most.element;
+  result.centre = most.centre;
   return result;
 }
 

@@ -4,10 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
+#include "idiophone/foundation/parallel/broadcast.hpp"
+#include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/foundation/parallel/reduce.hpp"
 #include "idiophone/scene/limits.hpp"
+#include "idiophone/solids/motion/ghost_exchange.hpp"
 
 namespace idiophone::motion {
 
@@ -25,13 +30,56 @@ Supports supports_of(const mesh::Part& part, const Dynamics& dynamics) {
   return supports;
 }
 
-std::vector<StableStep> find_stable_steps(const mesh::Part& part, const Dynamics& dynamics) {
-  const Supports supports = supports_of(part, dynamics);
-  std::vector<StableStep> steps;
-  for (std::size_t b = 0; b < part.bodies.size(); ++b) {
-    steps.push_back(dynamics.model(b).stable_step(supports));
+namespace {
+
+/// [bodies] The rank that has all of a body's nodes, or -1 if several have some. Collective.
+std::vector<int> only_ranks(const mesh::Part& part, MPI_Comm communicator) {
+  std::vector<int> lowest, highest;
+  for (const mesh::BodyPart& body : part.bodies) {
+    const bool is_here = body.owned_begin < body.owned_end;
+    lowest.push_back(is_here ? parallel::rank_of(communicator) : std::numeric_limits<int>::max());
+    highest.push_back(is_here ? parallel::rank_of(communicator) : -1);
+  }
+  parallel::reduce(lowest, MPI_MIN, communicator);
+  parallel::reduce(highest, MPI_MAX, communicator);
+  for (std::size_t b = 0; b < lowest.size(); ++b) {
+    lowest[b] = lowest[b] == highest[b] ? lowest[b] : -1;
+  }
+  return lowest;
+}
+
+}  // namespace
+
+std::vector<StableStep> find_stable_steps(
+    const mesh::Part& part, const std::function<StableStep(std::size_t body, const BodyRanks& ranks)>& of_body,
+    MPI_Comm communicator) {
+  std::vector<StableStep> steps(part.bodies.size());
+  const std::vector<int> only = only_ranks(part, communicator);
+  parallel::collectively(communicator, [&] {
+    for (std::size_t b = 0; b < steps.size(); ++b) {
+      if (only[b] == parallel::rank_of(communicator)) {
+        steps[b] = of_body(b, {});
+      }
+    }
+  });
+  const parallel::Handle<PetscSF> ghosts = ghost_exchange(part, communicator);
+  for (std::size_t b = 0; b < steps.size(); ++b) {
+    if (only[b] < 0) {
+      steps[b] = of_body(b, {communicator, ghosts});
+    } else {
+      std::vector<StableStep> found = {steps[b]};
+      parallel::broadcast(found, communicator, only[b]);
+      steps[b] = found.front();
+    }
   }
   return steps;
+}
+
+std::vector<StableStep> find_stable_steps(const mesh::Part& part, const Dynamics& dynamics, MPI_Comm communicator) {
+  const Supports supports = supports_of(part, dynamics);
+  return find_stable_steps(
+      part, [&](std::size_t body, const BodyRanks& ranks) { return dynamics.model(body).stable_step(supports, ranks); },
+      communicator);
 }
 
 namespace {

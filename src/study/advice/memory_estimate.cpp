@@ -24,13 +24,17 @@ MemoryEstimate::MemoryEstimate(const bodies::Preparation& ready, const motion::D
   }
 }
 
-double MemoryEstimate::of(const mesh::Part& part) const {
-  double bytes = fixed_ + per_triangle * static_cast<double>(part.surface.size());
+double MemoryEstimate::of_bodies(const mesh::Part& part) const {
+  double bytes = per_node * static_cast<double>(part.node_ids.size());
   for (std::size_t b = 0; b < part.bodies.size(); ++b) {
     bytes += element_bytes_[b] * static_cast<double>(part.bodies[b].element_ids.size());
   }
-  return bytes + per_node * static_cast<double>(part.node_ids.size()) + per_owned_node * part.owned_nodes +
-         per_ghost * static_cast<double>(part.ghost_rank.size());
+  return bytes;
+}
+
+double MemoryEstimate::of(const mesh::Part& part) const {
+  return fixed_ + of_bodies(part) + per_triangle * static_cast<double>(part.surface.size()) +
+         per_owned_node * part.owned_nodes + per_ghost * static_cast<double>(part.ghost_rank.size());
 }
 
 }  // namespace idiophone::advice

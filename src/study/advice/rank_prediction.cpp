@@ -34,7 +34,11 @@ RankPrediction predict_ranks(const bodies::Preparation& ready, const std::vector
   const motion::Halo halo = motion::halo_of(ready.scene);
   const std::vector<std::vector<Index>> coupled = motion::coupled_nodes(ready.attachments);
   mesh::PartSize whole;
-  mesh::for_each_part(meshes, 1, [&](const mesh::Part& part) { whole = mesh::size_of(part); });
+  double elsewhere = 0.0;  // what this process holds of bodies, and rank 0 will not, bytes
+  mesh::for_each_part(meshes, 1, [&](const mesh::Part& part) {
+    whole = mesh::size_of(part);
+    elsewhere = memory.of_bodies(part);
+  });
   RankPrediction result;
   result.network = network;
   result.halo = halo;
@@ -45,6 +49,7 @@ RankPrediction predict_ranks(const bodies::Preparation& ready, const std::vector
         const mesh::PartSize size = mesh::size_of(part);
         result.largest = mesh::largest(result.largest, size);
         result.memory = std::max(result.memory, memory.of(part));
+        elsewhere -= result.steps.ranks.empty() ? memory.of_bodies(part) : 0.0;
         result.steps.ranks.push_back(
             {.computing = one.force * size.work / whole.work +
                           (one.whole - one.force) * size.nodes / static_cast<double>(whole.nodes),
@@ -54,8 +59,9 @@ RankPrediction predict_ranks(const bodies::Preparation& ready, const std::vector
       coupled);
   result.step = step_time(result.steps, network);
   result.speed_up = one.whole / result.step.whole;
-  constexpr double of_files = 10e6;  // what a run holds besides, measured
-  result.root_memory = std::max(result.memory, loop::peak_memory() + of_files);
+  constexpr double of_files = 10e6;                    // what a run holds besides, measured
+  const bool needs_all = !ready.scene.plucks.empty();  // for their static equilibrium
+  result.root_memory = std::max(result.memory, loop::peak_memory() + of_files - (needs_all ? 0.0 : elsewhere));
   return result;
 }
 

@@ -124,10 +124,11 @@ class BodyModel {
   /// the body]
   [[nodiscard]] virtual std::vector<double> inverse_masses() const = 0;
 
-  /// What limits the step of the body, its supports and constraints included, and contact left out. All of the body has
-  /// to be on this rank.
+  /// What limits the step of the body, its supports and constraints included, and contact left out: the same bits on
+  /// any number of ranks. Collective.
+  /// @param ranks  that the body lies on; it moves by its modes on one rank only
   /// @throws std::runtime_error if it is not found
-  [[nodiscard]] virtual StableStep stable_step(const Supports& supports) const = 0;
+  [[nodiscard]] virtual StableStep stable_step(const Supports& supports, const BodyRanks& ranks) const = 0;
 
   /// Memory of what grows with the body's share on this rank.
   [[nodiscard]] virtual std::size_t bytes() const = 0;

@@ -1,6 +1,6 @@
 #pragma once
-// What must be known of the whole mesh before the first step. Rank 0 finds it alone and broadcasts it, so it does not
-// depend on the number of ranks.
+// What must be known of the whole mesh before the first step: the same bits on any number of ranks. All ranks compute
+// what takes much memory, each on its part; rank 0 adds up.
 
 #include <mpi.h>
 
@@ -48,15 +48,17 @@ struct InitialState {
 /// @param whole     the whole mesh as one part
 [[nodiscard]] InitialState mass_properties(const Dynamics& dynamics, const mesh::Part& whole);
 
-/// Call where the meshes are. See find_stable_steps and static_equilibrium for what it throws.
+/// The same on all ranks. Collective. See find_stable_steps and static_equilibrium for what it throws.
 /// @param step              that the deck asks for, s; none where the program chooses it
-/// @param contact_surfaces  their stiffness is chosen here
+/// @param meshes            on rank 0, of all bodies; ignored elsewhere. Where there are plucks, rank 0 computes with
+///                          all of them
+/// @param part              of this rank
+/// @param contact_surfaces  rank 0 chooses their stiffness here
 /// @param models            of the bodies that do not consist of finite elements
 [[nodiscard]] InitialState find_initial_state(const scene::Solids& solids, std::optional<double> step,
-                                              const std::vector<mesh::Mesh>& meshes, const Attachments& attachments,
-                                              contact::ContactSurfaces& contact_surfaces, const ModelMaker& models);
-
-/// Rank 0's initial state, on every rank. Collective.
-[[nodiscard]] InitialState broadcast(InitialState initial_state, MPI_Comm communicator);
+                                              const std::vector<mesh::Mesh>& meshes, const mesh::Part& part,
+                                              const Attachments& attachments,
+                                              contact::ContactSurfaces& contact_surfaces, const ModelMaker& models,
+                                              MPI_Comm communicator);
 
 }  // namespace idiophone::motion

@@ -1,6 +1,9 @@
 #pragma once
 // The largest stable step of the explicit motion.
 
+#include <mpi.h>
+
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -14,13 +17,20 @@ namespace idiophone::motion {
 /// The supports' springs and dashpots, and those that bound bows and joints. [local nodes]
 [[nodiscard]] Supports supports_of(const mesh::Part& part, const Dynamics& dynamics);
 
-/// What limits each body's step: BodyModel::stable_step with its supports and joints. Runs on one rank, so that its
-/// numbers do not depend on how many there are.
-/// @param part      the whole mesh as one part
-/// @param dynamics  of the whole mesh, on this rank alone
+/// What limits each body's step, the same bits on any number of ranks. A body that lies on one rank is that rank's
+/// work, so that many bodies are solved at once; the others follow, one after another, by all ranks together.
+/// Collective.
+/// @param part     of this rank
+/// @param of_body  BodyModel::stable_step of a body, on the ranks given
 /// @return [bodies]
 /// @throws std::runtime_error if the eigensolver fails
-[[nodiscard]] std::vector<StableStep> find_stable_steps(const mesh::Part& part, const Dynamics& dynamics);
+[[nodiscard]] std::vector<StableStep> find_stable_steps(
+    const mesh::Part& part, const std::function<StableStep(std::size_t body, const BodyRanks& ranks)>& of_body,
+    MPI_Comm communicator);
+
+/// The same of the dynamics' models, with their supports and joints.
+[[nodiscard]] std::vector<StableStep> find_stable_steps(const mesh::Part& part, const Dynamics& dynamics,
+                                                        MPI_Comm communicator = MPI_COMM_SELF);
 
 /// BodyModel::inverse_masses of all bodies one after the other, 1/kg. [nodes of the whole mesh]
 struct InverseMasses {

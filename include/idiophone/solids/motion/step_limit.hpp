@@ -1,6 +1,9 @@
 #pragma once
 // What limits the step of one body.
 
+#include <mpi.h>
+#include <petscsf.h>
+
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -19,6 +22,12 @@ struct StableStep {
   Vector3 centre = Vector3::Zero();  ///< its centre, m
 
   [[nodiscard]] bool is_limited() const { return std::isfinite(step); }
+};
+
+/// The ranks that a body lies on.
+struct BodyRanks {
+  MPI_Comm communicator = MPI_COMM_SELF;
+  PetscSF ghosts = nullptr;  ///< see ghost_exchange; none where all of the body is on this rank
 };
 
 /// Springs and dashpots that act on nodes from outside, the same in all directions. [local nodes]

@@ -15,6 +15,9 @@ class MemoryEstimate {
   /// @param program   what the program holds before it reads a mesh, bytes
   MemoryEstimate(const bodies::Preparation& ready, const motion::Dynamics& dynamics, double program);
 
+  /// Of elements and nodes alone, which a rank holds while it finds the stable step, too, bytes.
+  [[nodiscard]] double of_bodies(const mesh::Part& part) const;
+
   /// The most that a rank with this part holds while it runs, bytes. Rank 0 needs more before it has sent the parts.
   [[nodiscard]] double of(const mesh::Part& part) const;
 
