@@ -75,7 +75,7 @@ class Contact(program.TestCase):
     def test_two_bodies_that_collide_keep_their_momenta(self):
         bodies = {"large": [1, 0, 0], "small": [-2, 0.3, 0]}  # m/s, as in the deck
         masses = {body: self.mass("collision", body, velocity) for body, velocity in bodies.items()}
-        for friction in (0, 0.5, "{sticking: 0.6, sliding: 0.4}"):
+        for friction in (0, 0.5, "{sticking: 0.6, sliding: 0.4}", "{type: elasto_plastic, stiffness: 1e4}"):
             for damping in (0, 1e-4):
                 with self.subTest(friction=friction, damping=damping):
                     found, _ = self.run_deck("collision", f"contacts.crash.friction={friction}",
@@ -132,6 +132,21 @@ class Contact(program.TestCase):
         found, _ = self.run_deck("incline", incline(0.3), coefficients)
         velocity = found["motion/block/velocity"]
         self.assertLess(abs(velocity[round(0.25 * self.rate):]).max(), 1e-9)
+
+    def run_with_memory(self, tangent, *settings):
+        """A block on bristles that let go at 0.5 of the load and slide with 0.2 of it."""
+        law = "{type: elasto_plastic, sticking: 0.5, sliding: 0.2, stribeck_speed: 0.4, stiffness: 2e4, damping: 2}"
+        return self.run_deck("incline", incline(tangent), f"contacts.rest.friction={law}", *settings)[0]
+
+    def test_a_block_slides_along_the_stribeck_curve(self):
+        found = self.run_with_memory(0.8, "bodies.block.velocity=[0.2, 0, 0]")
+        velocity = found["motion/block/velocity"][round(0.1 * self.rate):, 0]
+        middle = (velocity[1:] + velocity[:-1]) / 2
+        angle = math.atan(0.8)
+        coefficient = 0.2 + 0.3 * numpy.exp(-(middle / 0.4)**2)
+        self.assertLess(middle[0], 0.8)  # where the curve is steep
+        expected = G * (math.sin(angle) - coefficient * math.cos(angle))
+        numpy.testing.assert_allclose(numpy.diff(velocity) * self.rate, expected, rtol=2e-3)
 
     @program.long_verification
     def test_a_ball_rolls(self):
