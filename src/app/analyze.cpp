@@ -117,10 +117,9 @@ partials::PartialsByChannel find_partials(const spectra::Sound& sound, const Ana
     partials.push_back(partials::find_partials(sound.samples[channel], sound.rate, wanted));
     if (!partials.back().complete) {
       spdlog::warn(
-          "{}: the search for partials ended early: there are more than {}, or what is left is no sum of damped sines, "
-          "but, for example, a click or another blow. Choose a part without it (--start, --duration), or a narrower "
-          "range (--lowest, --highest, --range)",
-          sound.channels[channel], wanted.most);
+          "{}: the search for partials ended early: what is left is no sum of damped sines, but, for example, a click "
+          "or another blow. Choose a part without it (--start, --duration)",
+          sound.channels[channel]);
     }
   }
   return partials;

@@ -106,8 +106,8 @@ Measurements read_recording(const std::filesystem::path& file) {
     const partials::Partials partials = free_partials(samples, sound.rate);
     if (!partials.complete) {
       throw std::invalid_argument(
-          "after the blow, there is more than a sum of a hundred damped sines, for example soft clicks or speech; cut "
-          "the recording before it");
+          "after the blow, there is more than a sum of damped sines, for example soft clicks or speech; cut the "
+          "recording before it");
     }
     for (const partials::Partial& partial : partials.found) {
       if (is_hum(partial)) {

@@ -1,5 +1,4 @@
 #include "idiophone/study/fitting/tuning.hpp"
-#include "idiophone/foundation/dense/nonlinear_least_squares.hpp"
 
 #include <fmt/format.h>
 
@@ -9,6 +8,7 @@
 #include <stdexcept>
 
 #include "halton_point.hpp"
+#include "least_squares.hpp"
 #include "tracked_modes.hpp"
 #include "tuning_wishes.hpp"
 
@@ -81,11 +81,11 @@ class Search {
   /// A local search from the last accepted point.
   void search() {
     const auto count = static_cast<Eigen::Index>(variables_.size());
-    static_cast<void>(dense::minimize(
-        [this](const VectorXd& point) { return residuals_at(point); },
-        [this](const VectorXd& point) { return residual_slopes(point); }, known_.point,
-        {VectorXd::Zero(count), VectorXd::Ones(count)},
-        {.residual = finest * options_.tolerance, .step = smallest_step, .iterations = most_iterations}));
+    static_cast<void>(
+        minimize([this](const VectorXd& point) { return residuals_at(point); },
+                 [this](const VectorXd& point) { return residual_slopes(point); }, known_.point,
+                 {VectorXd::Zero(count), VectorXd::Ones(count)},
+                 {.residual = finest * options_.tolerance, .step = smallest_step, .iterations = most_iterations}));
     keep_if_better();
   }
 

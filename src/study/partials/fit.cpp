@@ -1,12 +1,13 @@
 #include "fit.hpp"
 
-#include <Eigen/Cholesky>
+// GCC 12 warns of an undefined operand in its own AVX-512 intrinsics (GCC bug 105593).
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
-
-#include "idiophone/foundation/dense/nonlinear_least_squares.hpp"
+#include <unsupported/Eigen/NonLinearOptimization>
 
 namespace idiophone::partials {
 namespace {
@@ -14,69 +15,61 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// The residual and its Jacobian, over the highest bin of the target. Each line has four parameters, all of which
-/// matter where they change by one: the real and imaginary part of its amplitude over that of a tone of this height,
-/// and the shift of its frequency and its damping times the sound's length.
+/// The residual and its Jacobian for Eigen's Levenberg-Marquardt method. Each line has four parameters:
+/// the real and imaginary part of its amplitude, the shift of its frequency and its damping, the latter two over the
+/// sound's length so that a change by one shifts or broadens the line by about a bin.
 class Residual {
  public:
   Residual(const LineSpectrum& line_spectrum, std::span<const Complex> target, BinRange band,
            const std::vector<Line>& start)
-      : line_spectrum_(line_spectrum),
-        target_(target),
-        band_(band),
-        start_(start),
-        highest_(std::max(std::abs(*std::ranges::max_element(target, {}, [](Complex bin) { return std::norm(bin); })),
-                          std::numeric_limits<double>::min())) {}
+      : line_spectrum_(line_spectrum), target_(target), band_(band), start_(start) {}
 
-  [[nodiscard]] Eigen::Index inputs() const { return place(start_.size()); }
-  [[nodiscard]] Eigen::Index values() const { return static_cast<Eigen::Index>(2 * band_.size()); }
+  [[nodiscard]] int inputs() const { return static_cast<int>(4 * start_.size()); }
+  [[nodiscard]] int values() const { return static_cast<int>(2 * band_.size()); }
 
   [[nodiscard]] VectorXd parameters() const {
     VectorXd result(inputs());
     for (std::size_t j = 0; j < start_.size(); ++j) {
       const Line& line = start_[j];
-      const Complex amplitude = line.amplitude / unit();
-      result.segment<4>(place(j)) << amplitude.real(), amplitude.imag(), 0.0, line.damping * length();
+      result.segment<4>(at(j)) << line.amplitude.real(), line.amplitude.imag(), 0.0, line.damping * length();
     }
     return result;
   }
 
   [[nodiscard]] Line line(const VectorXd& parameters, std::size_t j) const {
-    const auto own = parameters.segment<4>(place(j));
+    const auto own = parameters.segment<4>(at(j));
     return {.frequency = start_[j].frequency + own[2] / length(),
             .damping = own[3] / length(),
-            .amplitude = unit() * Complex(own[0], own[1])};
+            .amplitude = {own[0], own[1]}};
   }
 
-  [[nodiscard]] VectorXd at(const VectorXd& parameters) const {
-    VectorXd residual(values());
-    put(residual, target_, -1.0 / highest_);
+  int operator()(const VectorXd& parameters, VectorXd& residual) const {
+    put(residual, target_, -1.0);
     VectorXd one(values());
     for (std::size_t j = 0; j < start_.size(); ++j) {
-      put(one, line_spectrum_.spectrum(line(parameters, j), band_), 1.0 / highest_);
+      put(one, line_spectrum_.spectrum(line(parameters, j), band_), 1.0);
       residual += one;
     }
-    return residual;
+    return 0;
   }
 
-  [[nodiscard]] MatrixXd jacobian(const VectorXd& parameters) const {
-    MatrixXd jacobian(values(), inputs());
+  // The names are required by Eigen.
+  int df(const VectorXd& parameters, MatrixXd& jacobian) const {
     for (std::size_t j = 0; j < start_.size(); ++j) {
       const auto derivatives = line_spectrum_.derivatives(line(parameters, j), band_);
-      put(jacobian.col(place(j)), derivatives.real, unit() / highest_);
+      put(jacobian.col(at(j)), derivatives.real, 1.0);
       // The spectrum of a decay at zero frequency is insensitive to its phase and its frequency.
       const double swings = start_[j].frequency > 0.0 ? 1.0 : 0.0;
-      put(jacobian.col(place(j) + 1), derivatives.imaginary, swings * unit() / highest_);
-      put(jacobian.col(place(j) + 2), derivatives.frequency, swings / (length() * highest_));
-      put(jacobian.col(place(j) + 3), derivatives.damping, 1.0 / (length() * highest_));
+      put(jacobian.col(at(j) + 1), derivatives.imaginary, swings);
+      put(jacobian.col(at(j) + 2), derivatives.frequency, swings / length());
+      put(jacobian.col(at(j) + 3), derivatives.damping, 1.0 / length());
     }
-    return jacobian;
+    return 0;
   }
 
  private:
-  [[nodiscard]] double unit() const { return highest_ / length(); }  // of amplitudes
   [[nodiscard]] double length() const { return static_cast<double>(line_spectrum_.length()); }
-  static Eigen::Index place(std::size_t j) { return static_cast<Eigen::Index>(4 * j); }
+  static Eigen::Index at(std::size_t j) { return static_cast<Eigen::Index>(4 * j); }
 
   /// Real parts, then imaginary parts, times a factor.
   static void put(Eigen::Ref<VectorXd> column, std::span<const Complex> bins, double factor) {
@@ -88,7 +81,6 @@ class Residual {
   std::span<const Complex> target_;
   BinRange band_;
   const std::vector<Line>& start_;
-  double highest_;
 };
 
 Line with_positive_frequency(const Line& line) {
@@ -102,15 +94,15 @@ Line with_positive_frequency(const Line& line) {
 
 Fit fit_lines(const LineSpectrum& line_spectrum, std::span<const Complex> target, BinRange band,
               const std::vector<Line>& start, int most_iterations) {
-  const Residual residual(line_spectrum, target, band, start);
-  const VectorXd infinite = VectorXd::Constant(residual.inputs(), std::numeric_limits<double>::infinity());
-  const auto found =
-      dense::minimize([&](const VectorXd& parameters) { return std::optional(residual.at(parameters)); },
-                      [&](const VectorXd& parameters) { return residual.jacobian(parameters); }, residual.parameters(),
-                      {-infinite, infinite}, {.step = 1e-8, .iterations = most_iterations, .first_damping = 1.0});
-  Fit fit{.lines = {}, .iterations = found.iterations};
+  Residual residual(line_spectrum, target, band, start);
+  Eigen::LevenbergMarquardt<Residual> solver(residual);
+  solver.parameters.factor = 1.0;  // the first step stays near the line
+  solver.parameters.maxfev = most_iterations;
+  VectorXd parameters = residual.parameters();
+  solver.minimize(parameters);
+  Fit fit{.lines = {}, .iterations = static_cast<int>(solver.njev)};
   for (std::size_t j = 0; j < start.size(); ++j) {
-    fit.lines.push_back(with_positive_frequency(residual.line(found.point, j)));
+    fit.lines.push_back(with_positive_frequency(residual.line(parameters, j)));
   }
   return fit;
 }
@@ -118,11 +110,12 @@ Fit fit_lines(const LineSpectrum& line_spectrum, std::span<const Complex> target
 std::vector<Deviation> deviations(const LineSpectrum& line_spectrum, std::span<const Complex> target, BinRange band,
                                   const std::vector<Line>& lines) {
   const Residual residual(line_spectrum, target, band, lines);
-  const VectorXd rest = residual.at(residual.parameters());
-  const MatrixXd jacobian = residual.jacobian(residual.parameters());
+  VectorXd rest(residual.values());
+  MatrixXd jacobian(residual.values(), residual.inputs());
+  residual(residual.parameters(), rest);
+  residual.df(residual.parameters(), jacobian);
   // Padding doubles the bins, so half of the values are independent, and each counts twice.
-  const double freedom =
-      std::max(0.5 * static_cast<double>(residual.values()) - static_cast<double>(residual.inputs()), 1.0);
+  const double freedom = std::max(0.5 * residual.values() - residual.inputs(), 1.0);
   const double variance = rest.squaredNorm() / freedom;
   const MatrixXd normal = jacobian.transpose() * jacobian;
   const VectorXd covariance = normal.ldlt().solve(MatrixXd::Identity(normal.rows(), normal.cols())).diagonal();

@@ -34,7 +34,6 @@ class Search {
   const LineSpectrum& line_spectrum_;
   const SearchOptions& options_;
   LineModel model_;
-  bool more_than_wanted_ = false;  // lines: peaks are left
 };
 
 void Search::run() {
@@ -55,9 +54,7 @@ void Search::subtract() {
   const auto reported = [&](const Line& line) { return model_.is_reported(line); };
   for (std::size_t attempt = 0; attempt < most_attempts && model_.complete(); ++attempt) {
     const auto peak = model_.remainder().next_peak();
-    more_than_wanted_ =
-        peak && static_cast<std::size_t>(std::ranges::count_if(model_.lines(), reported)) >= options_.most;
-    if (!peak || more_than_wanted_) {
+    if (!peak || static_cast<std::size_t>(std::ranges::count_if(model_.lines(), reported)) >= options_.most) {
       return;
     }
     add(model_.remainder().line_at(*peak));
@@ -107,7 +104,7 @@ double Search::remainder_of(const Line& line, const std::vector<double>& limits)
 FoundLines Search::found() const {
   const std::vector<double> noise = model_.remainder().noise();
   const std::vector<double> limits = model_.remainder().limits();
-  FoundLines result{.lines = {}, .complete = model_.complete() && !more_than_wanted_};
+  FoundLines result{.lines = {}, .complete = model_.complete()};
   for (std::size_t j = 0; j < model_.lines().size(); ++j) {
     const Line& line = model_.lines()[j];
     const double power = std::pow(line_spectrum_.height(line), 2);

@@ -37,8 +37,8 @@ struct PartialOptions {
 /// The partials of a sound.
 struct Partials {
   std::vector<Partial> found;  ///< by ascending frequency
-  bool complete = true;        ///< false if the search ended early: there are more lines than wanted, or what is left
-                               ///< is no sum of damped sines, but, for example, a click or another blow
+  bool complete = true;        ///< false if the search ended early: what is left is no sum of damped sines, but, for
+                               ///< example, a click or another blow
 };
 
 /// Finds the partials of a sound.

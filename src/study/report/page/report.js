@@ -182,7 +182,7 @@ class Report {
     this.showPartials(channel, partials, result.references,
       `impact at ${short(result.impacts[index].time)} s: ${partials.length} partials from ${short(start)} s to ` +
       `${short(start + duration)} s; levels re 1 ${channel.unit} at ${short(start)} s.` +
-      (complete ? "" : " The search ended early: there are more, or what is left is no sum of damped sines, but, for example, noise."));
+      (complete ? "" : " The search ended early: what is left is no sum of damped sines, but, for example, noise."));
   }
 
   /// The partials of all impacts, those that can't be told apart as one.
