@@ -112,7 +112,7 @@ class Interaction {
   std::vector<std::pair<Index, Index>> near_;        ///< those whose boxes overlap
   Overlaps overlaps_;
   std::array<std::vector<Index>, 2> touched_before_;
-  double load_ = 0.0;  ///< sum of pressure times surface of all nodes, N
+  double load_ = 0.0;  ///< of friction with memory: sum of pressure times surface of all nodes, N
   double deepest_ = 0.0;
 };
 

@@ -123,7 +123,7 @@ int Interaction::axis_of_pressure() const {
 ContactMotion Interaction::motion() const {
   ContactMotion motion;
   double weight = 0.0;
-  const int axis = axis_of_pressure();
+  const int axis = is_with_itself() ? axis_of_pressure() : 0;
   for (const Side* side : sides()) {
     for (const Index node : side->touched) {
       const Touch& touch = side->touch[node];

@@ -8,10 +8,12 @@
 namespace idiophone::contact {
 
 void Interaction::compute_friction(BondUpdate bonds) {
-  load_ = 0.0;
-  for (const Side* side : sides()) {
-    for (const Index node : side->touched) {
-      load_ += side->touch[node].pressure * side->touch[node].surface;
+  if (friction_.memory) {
+    load_ = 0.0;
+    for (const Side* side : sides()) {
+      for (const Index node : side->touched) {
+        load_ += side->touch[node].pressure * side->touch[node].surface;
+      }
     }
   }
   if (friction_.sticking > 0 || friction_.memory) {
