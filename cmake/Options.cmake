@@ -9,7 +9,7 @@ option(IDIOPHONE_UNITY "Compile all files of a module or a test program as one, 
 
 add_library(idiophone_flags INTERFACE)
 # -Wmaybe-uninitialized raises false alarms inside the AVX-512 header of GCC 12, -Warray-bounds inside its AVX header, and
-# -Wstringop-overflow where GCC 14 inlines Eigen's stores.
+# -Wstringop-overflow and -Wstringop-overread where GCC 14 inlines Eigen's stores and loads.
 # -ffp-contract=fast and the chosen instruction set are the same for every file, so the bits do not depend on the rank.
 # Hidden symbols: otherwise libgmsh's calls into Eigen would end up in our own Eigen, whose memory is aligned otherwise.
 target_compile_options(idiophone_flags INTERFACE
@@ -19,7 +19,7 @@ target_compile_options(idiophone_flags INTERFACE
   -march=${IDIOPHONE_ARCHITECTURE} -fvisibility=hidden -ffp-contract=fast -fno-math-errno -fno-trapping-math
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Wno-psabi -Wno-unknown-warning-option -Wno-maybe-uninitialized
   -Wno-array-bounds
-  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,13>>:-Wno-stringop-overflow>)
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,13>>:-Wno-stringop-overflow$<SEMICOLON>-Wno-stringop-overread>)
 if(IDIOPHONE_SANITIZE)
   target_compile_options(idiophone_flags INTERFACE
     -fsanitize=${IDIOPHONE_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer) # each report ends the program

@@ -70,6 +70,17 @@ TEST_P(WavesOnAccelerator, AreThoseOfTheProcessorWhateverMoves) {
   }
 }
 
+TEST_P(WavesOnAccelerator, TakeVelocitiesThatAreKnownAtTheAudioRate) {
+  Pulsating here = on_processor(), there = on_accelerator();
+  for (const double shift : {0.0, 0.0087}) {
+    for (Pulsating* one : {&here, &there}) {
+      one->set(Vector3(shift, -shift, shift));
+      one->advance_samples(20);  // more than are kept
+    }
+    EXPECT_LT(difference(pressures(there.field()), pressures(here.field())), rounding);
+  }
+}
+
 TEST_P(WavesOnAccelerator, ForecastThePressuresOfTheProcessor) {
   Pulsating here = on_processor(), there = on_accelerator();
   std::vector<float> expected(here.field().cut_cells().nodes().size()), forecast(expected.size());

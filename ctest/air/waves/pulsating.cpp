@@ -24,7 +24,8 @@ std::vector<Setting> settings() {
 
 Pulsating::Pulsating(const Setting& setting, int ranks, MPI_Comm communicator, accelerator::Accelerator* accelerator)
     : field_(Division(setting.grid, ranks), test_courant, communicator, setting.lossy, accelerator),
-      solid_(radiation::icosphere(setting.radius, 4)) {
+      solid_(radiation::icosphere(setting.radius, 4)),
+      history_(solid_.triangles.size(), 3) {
   set(Vector3::Zero());
 }
 
@@ -39,6 +40,19 @@ void Pulsating::set(const Vector3& shift) {
   sources_ = SurfaceSources(field_.subdomain(), obstruction, solid_.triangles.size(), cells, test_courant);
   node_sources_.resize(cells.nodes().size());
   field_.set_surfaces(std::move(cells));
+}
+
+void Pulsating::advance_samples(int samples) {
+  std::vector<float> velocities(history_.signals());
+  for (int i = 0; i < samples; ++i, ++step_) {
+    for (std::size_t triangle = 0; triangle < velocities.size(); ++triangle) {
+      velocities[triangle] = static_cast<float>(std::sin(0.3 * step_ + 0.1 * static_cast<double>(triangle)));
+    }
+    history_.push(velocities);
+    for (int step = 0; step < history_.steps(); ++step) {
+      field_.step(sources_, history_, step);
+    }
+  }
 }
 
 void Pulsating::advance(int steps) {

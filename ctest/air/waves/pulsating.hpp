@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "idiophone/air/waves/surface_sources.hpp"
+#include "idiophone/air/waves/velocity_history.hpp"
 #include "idiophone/air/waves/wave_field.hpp"
 #include "vibrating_solid.hpp"
 
@@ -39,6 +40,8 @@ class Pulsating {
   /// Puts the sphere so far from the origin.
   void set(const Vector3& shift);
   void advance(int steps);
+  /// So many audio samples of three steps each, of which only the velocities at their beginning are known.
+  void advance_samples(int samples);
   [[nodiscard]] WaveField& field() { return field_; }
 
  private:
@@ -46,6 +49,7 @@ class Pulsating {
   radiation::Solid solid_;
   std::vector<float> positions_, changes_, node_sources_;
   SurfaceSources sources_;
+  VelocityHistory history_;
   int step_ = 0;
 };
 

@@ -17,7 +17,6 @@ WaveAir::WaveAir(const scene::Acoustics& acoustics, const propagation::AudibleSu
       triangle_ids_(parallel::gather_all(std::span<const Index>(surface.triangle_ids), communicator)),
       shared_pressures_(triangle_ids_.counts, communicator),
       history_(grid_.moving(), grid_.plan().steps),
-      changes_(grid_.moving()),
       ears_(acoustics, steady + 1 - latency(), grid_.patches()) {}
 
 void WaveAir::start(std::int64_t /*sample*/, const surface::SurfaceMotion& steady) {
@@ -37,8 +36,7 @@ void WaveAir::propagate(std::int64_t sample, const surface::Emission& emission, 
   sending_ = true;
   grid_.send_positions(sample, motion);
   for (int step = 0; step < grid_.plan().steps; ++step) {
-    history_.changes(step, changes_);
-    grid_.step(changes_);
+    grid_.step(history_, step);
   }
   ears_.hear(sample - latency(), grid_.emission(), nullptr, [this](const Vector3& place) { return sounds_at(place); });
 }

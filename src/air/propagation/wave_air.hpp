@@ -56,7 +56,6 @@ class WaveAir : public Air {
   parallel::BackgroundGather<float> shared_pressures_;
   bool sending_ = false;
   waves::VelocityHistory history_;
-  std::vector<float> changes_;
   Ears ears_;
 };
 

@@ -13,6 +13,7 @@
 #include "idiophone/air/waves/enclosing_box.hpp"
 #include "idiophone/air/waves/plan.hpp"
 #include "idiophone/air/waves/surface_sources.hpp"
+#include "idiophone/air/waves/velocity_history.hpp"
 #include "idiophone/air/waves/wave_field.hpp"
 #include "idiophone/scene/acoustics.hpp"
 
@@ -50,6 +51,9 @@ class WaveGrid {
   [[nodiscard]] bool failed() const { return failed_; }
 
   /// One step. Exchanges with the neighbouring ranks.
+  /// @param velocities  [moving()] as for waves::WaveField
+  /// @param step        of the audio sample
+  void step(const waves::VelocityHistory& velocities, int step) { field_.step(sources_, velocities, step); }
   /// @param changes  [moving()] of rho c v_n, Pa
   void step(std::span<const float> changes);
 

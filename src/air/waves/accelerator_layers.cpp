@@ -21,7 +21,7 @@ int append(const std::vector<float>& decay, std::vector<float>& all) {
 
 }  // namespace
 
-AcceleratorLayers::Tables AcceleratorLayers::tables(const std::vector<AbsorbingLayer>& layers) {
+AcceleratorLayers::Tables AcceleratorLayers::make_tables(const std::vector<AbsorbingLayer>& layers) {
   Tables all;
   for (const AbsorbingLayer& layer : layers) {
     LayerTable table = layer.table();
@@ -36,36 +36,22 @@ AcceleratorLayers::Tables AcceleratorLayers::tables(const std::vector<AbsorbingL
   return all;
 }
 
-AcceleratorLayers::AcceleratorLayers(WaveKernels& kernels, const std::vector<AbsorbingLayer>& layers)
-    : AcceleratorLayers(kernels, tables(layers)) {}
+AcceleratorLayers::AcceleratorLayers(accelerator::Accelerator& accelerator, const std::vector<AbsorbingLayer>& layers)
+    : AcceleratorLayers(accelerator, make_tables(layers)) {}
 
-AcceleratorLayers::AcceleratorLayers(WaveKernels& kernels, const Tables& tables)
-    : kernels_(kernels),
-      count_(static_cast<int>(tables.layers.size())),
-      faces_(tables.faces),
-      tables_(kernels.program.accelerator(), tables.layers),
-      decay_(kernels.program.accelerator(), tables.decay),
-      face_memory_(kernels.program.accelerator(), tables.length),
-      cell_memory_(kernels.program.accelerator(), tables.length) {}
-
-void AcceleratorLayers::step(const Subdomain& subdomain, float square, const accelerator::Array<float>& pressure,
-                             accelerator::Array<float>& rate, accelerator::Array<float>& next) {
-  const CellBox& cells = subdomain.cells();
-  const Index first = subdomain.number(cells.from), row = subdomain.stride(1), plane = subdomain.stride(2);
-  kernels_.stretch_faces({static_cast<std::size_t>(faces_), 1, 1}, faces_, count_, tables_, first, row, plane, decay_,
-                         pressure, face_memory_);
-  const int width = cells.width(0), height = cells.width(1), depth = cells.width(2);
-  kernels_.step_cells(
-      {static_cast<std::size_t>(width), static_cast<std::size_t>(height), static_cast<std::size_t>(depth)}, width,
-      height, depth, count_, tables_, first, row, plane, square, decay_, face_memory_, cell_memory_, pressure, rate,
-      next);
-}
+AcceleratorLayers::AcceleratorLayers(accelerator::Accelerator& accelerator, const Tables& made)
+    : count(static_cast<int>(made.layers.size())),
+      faces(made.faces),
+      tables(accelerator, made.layers),
+      decay(accelerator, made.decay),
+      face_memory(accelerator, made.length),
+      cell_memory(accelerator, made.length) {}
 
 void AcceleratorLayers::save(std::vector<AbsorbingLayer>& layers) const {
   std::size_t place = 0;
   for (AbsorbingLayer& layer : layers) {
-    face_memory_.read(layer.face_memory(), place);
-    cell_memory_.read(layer.cell_memory(), place);
+    face_memory.read(layer.face_memory(), place);
+    cell_memory.read(layer.cell_memory(), place);
     place += layer.memory_length();
   }
 }
@@ -73,8 +59,8 @@ void AcceleratorLayers::save(std::vector<AbsorbingLayer>& layers) const {
 void AcceleratorLayers::load(std::vector<AbsorbingLayer>& layers) {
   std::size_t place = 0;
   for (AbsorbingLayer& layer : layers) {
-    face_memory_.write(layer.face_memory(), place);
-    cell_memory_.write(layer.cell_memory(), place);
+    face_memory.write(layer.face_memory(), place);
+    cell_memory.write(layer.cell_memory(), place);
     place += layer.memory_length();
   }
 }

@@ -29,30 +29,31 @@ std::vector<float> stiffness(const FieldState& state) {
   return values;
 }
 
-}  // namespace
-
-AcceleratorNodes::Published AcceleratorNodes::published(const FieldState& state) {
-  Published all;
+/// Of each own node the cell that it gives its pressure; -1 for none.
+std::vector<Index> published(const FieldState& state) {
   const auto& nodes = state.cut_cells.nodes();
-  for (std::size_t node = 0; node < nodes.size(); ++node) {
-    if (node == 0 || nodes[node].cell != nodes[node - 1].cell) {
-      all.cells.push_back(state.subdomain.number(nodes[node].cell));
-      all.nodes.push_back(static_cast<Index>(node));
-    }
+  std::vector<Index> cells;
+  for (Index node = 0; node < state.cut_cells.own_nodes(); ++node) {
+    const bool is_first = node == 0 || nodes[node].cell != nodes[node - 1].cell;
+    cells.push_back(is_first ? state.subdomain.number(nodes[node].cell) : -1);
   }
-  for (const SolidRun& run : state.cut_cells.solids()) {
-    for (Index i = 0; i < run.length; ++i) {
-      all.cells.push_back(run.first + i);
-      all.nodes.push_back(-1);
-    }
-  }
-  return all;
+  return cells;
 }
 
-AcceleratorNodes::AcceleratorNodes(WaveKernels& kernels, const FieldState& state)
-    : AcceleratorNodes(kernels, state, published(state)) {}
+std::vector<unsigned char> held_cells(const FieldState& state) {
+  std::vector<unsigned char> cells(state.subdomain.length());
+  for (const auto& node : state.cut_cells.nodes()) {
+    cells[state.subdomain.number(node.cell)] = 1;
+  }
+  for (const SolidRun& run : state.cut_cells.solids()) {
+    std::fill_n(&cells[run.first], run.length, 1);
+  }
+  return cells;
+}
 
-AcceleratorNodes::AcceleratorNodes(WaveKernels& kernels, const FieldState& state, const Published& published)
+}  // namespace
+
+AcceleratorNodes::AcceleratorNodes(WaveKernels& kernels, const FieldState& state)
     : kernels_(kernels),
       cells_(state.subdomain.length()),
       nodes_(state.cut_cells.own_nodes()),
@@ -61,49 +62,36 @@ AcceleratorNodes::AcceleratorNodes(WaveKernels& kernels, const FieldState& state
       area_(kernels.program.accelerator(), of_links(state.cut_cells, &Link::area)),
       stiffness_(kernels.program.accelerator(), stiffness(state)),
       rate_(kernels.program.accelerator(), std::span(state.node_rate).first(nodes_)),
-      sources_(kernels.program.accelerator(), nodes_),
-      no_sources_(kernels.program.accelerator(), nodes_),
       change_(kernels.program.accelerator(), nodes_),
       forecast_(kernels.program.accelerator(), nodes_),
-      published_cells_(kernels.program.accelerator(), published.cells),
-      published_nodes_(kernels.program.accelerator(), published.nodes) {
+      published_(kernels.program.accelerator(), published(state)),
+      held_(kernels.program.accelerator(), held_cells(state)) {
   if (state.losses) {
     losses_.emplace(kernels, *state.losses, cells_, nodes_);
   }
 }
 
-const accelerator::Array<float>& AcceleratorNodes::changes(const accelerator::Array<float>& pressure,
-                                                           const accelerator::Array<float>& sources,
-                                                           accelerator::Array<float>& gain,
-                                                           AcceleratorLosses::Past past) {
-  kernels_.add_node_rates({static_cast<std::size_t>(nodes_), 1, 1}, nodes_, cells_, first_link_, to_, area_, stiffness_,
-                          pressure, rate_, sources, gain);
-  if (!losses_) {
-    return gain;
-  }
-  losses_->take(pressure, gain, change_, past);
-  return change_;
-}
-
-void AcceleratorNodes::step(std::span<const float> sources, const accelerator::Array<float>& pressure,
+void AcceleratorNodes::step(const CellPlaces& places, AcceleratorLayers& layers, int place,
+                            const accelerator::Array<float>& sources, const accelerator::Array<float>& pressure,
                             accelerator::Array<float>& next) {
-  sources_.write(sources.first(nodes_));
-  const auto& change = changes(pressure, sources_, rate_, AcceleratorLosses::Past::advances);
-  kernels_.advance_nodes({static_cast<std::size_t>(nodes_), 1, 1}, nodes_, cells_, 1.0F, pressure, change, cells_,
-                         next);
+  const int advances = losses_ ? 0 : 1;
+  kernels_.begin_step({static_cast<std::size_t>(layers.faces) + nodes_, 1, 1}, layers.faces, layers.count,
+                      layers.tables, places.first, places.row, places.plane, layers.decay, layers.face_memory, nodes_,
+                      cells_, advances, first_link_, to_, area_, stiffness_, published_, place, sources, rate_,
+                      pressure, next);
+  if (losses_) {
+    losses_->take(pressure, rate_, change_, AcceleratorLosses::Past::advances);
+    kernels_.advance_nodes(range(), nodes_, cells_, published_, pressure, change_, next);
+  }
 }
 
 void AcceleratorNodes::forecast(const accelerator::Array<float>& pressure, std::span<float> pressures) {
-  const auto& change = changes(pressure, no_sources_, forecast_, AcceleratorLosses::Past::stays);
-  kernels_.advance_nodes({static_cast<std::size_t>(nodes_), 1, 1}, nodes_, cells_, 0.5F, pressure, change, 0,
-                         forecast_);
+  kernels_.node_rates_at_rest(range(), nodes_, cells_, first_link_, to_, area_, stiffness_, pressure, rate_, forecast_);
+  if (losses_) {
+    losses_->take(pressure, forecast_, change_, AcceleratorLosses::Past::stays);
+  }
+  kernels_.forecast_nodes(range(), nodes_, cells_, pressure, losses_ ? change_ : forecast_, forecast_);
   forecast_.read(pressures.first(nodes_));
-}
-
-void AcceleratorNodes::publish(accelerator::Array<float>& pressure, accelerator::Array<float>& cell_rate) {
-  const std::size_t count = published_cells_.size();
-  kernels_.publish_nodes({count, 1, 1}, static_cast<int>(count), cells_, published_cells_, published_nodes_, pressure,
-                         cell_rate);
 }
 
 void AcceleratorNodes::save(FieldState& state) const {

@@ -39,7 +39,7 @@ AcceleratorSteps::AcceleratorSteps(accelerator::Accelerator& accelerator, FieldS
       kernels_(accelerator),
       state_(state),
       exchange_(exchange),
-      layers_(kernels_, state.updates.front().layers()),
+      layers_(accelerator, state.updates.front().layers()),
       rate_(accelerator, state.rate.size()),
       pressure_(accelerator, state.pressure.size()),
       pending_(accelerator, state.pressure.size()) {
@@ -56,14 +56,38 @@ AcceleratorNodes& AcceleratorSteps::nodes() {
 }
 
 void AcceleratorSteps::step(std::span<const float> sources) {
-  nodes().step(sources, pressure_, pending_);
-  layers_.step(state_.subdomain, state_.courant * state_.courant, pressure_, rate_, pending_);
-  exchange_faces(pending_);
-  nodes().publish(pending_, rate_);
-  if (state_.subdomain.is_on_floor()) {
-    const Index plane = state_.subdomain.stride(2);
-    pending_.copy(plane, 0, plane);
+  const Index own = nodes().own();
+  if (!given_sources_) {
+    given_sources_.emplace(accelerator_, own);
   }
+  given_sources_->write(sources.first(own));
+  advance(*given_sources_, 0);
+}
+
+void AcceleratorSteps::step(const SurfaceSources& sources, const VelocityHistory& velocities, int step) {
+  if (!velocities_ || &velocities_->history() != &velocities) {
+    velocities_.emplace(kernels_, velocities);
+    sources_.reset();
+  }
+  velocities_->update();
+  const Index own = nodes().own();
+  if (!sources_) {
+    sources_.emplace(kernels_, sources, own, velocities.steps());
+  }
+  advance(sources_->of(*velocities_), step * own);
+}
+
+void AcceleratorSteps::advance(const accelerator::Array<float>& sources, int place) {
+  const Subdomain& subdomain = state_.subdomain;
+  const CellPlaces places = {subdomain.number(subdomain.cells().from), subdomain.stride(1), subdomain.stride(2)};
+  nodes().step(places, layers_, place, sources, pressure_, pending_);
+  const int width = subdomain.cells().width(0), height = subdomain.cells().width(1), depth = subdomain.cells().width(2);
+  kernels_.step_cells(
+      {static_cast<std::size_t>(width), static_cast<std::size_t>(height), static_cast<std::size_t>(depth)}, width,
+      height, depth, subdomain.is_on_floor() ? 1 : 0, layers_.count, layers_.tables, places.first, places.row,
+      places.plane, state_.courant * state_.courant, nodes().held(), layers_.decay, layers_.face_memory,
+      layers_.cell_memory, pressure_, rate_, pending_);
+  exchange_faces(pending_);
   std::swap(pressure_, pending_);
 }
 
@@ -101,6 +125,8 @@ void AcceleratorSteps::save() {
 
 void AcceleratorSteps::load() {
   nodes_.reset();
+  sources_.reset();
+  given_sources_.reset();
   pressure_ = {accelerator_, state_.pressure};
   pending_ = {accelerator_, state_.pressure};
   rate_.write(state_.rate);

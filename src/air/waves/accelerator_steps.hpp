@@ -4,14 +4,14 @@
 #include <optional>
 #include <utility>
 
-#include "accelerator_layers.hpp"
 #include "accelerator_nodes.hpp"
+#include "accelerator_sources.hpp"
 #include "field_steps.hpp"
 
 namespace idiophone::waves {
 
-/// All arrays stay on the accelerator. In a step, the sources go there. With several ranks, the pressures at the faces
-/// of the subdomain come back and go to the neighbours.
+/// All arrays stay on the accelerator. In an audio sample, the velocities of the surfaces go there. With several ranks,
+/// the pressures at the faces of the subdomain come back in each step and go to the neighbours.
 class AcceleratorSteps : public FieldSteps {
  public:
   /// @param state     with the whole subdomain as one box; must outlive this object, as must the others
@@ -19,6 +19,7 @@ class AcceleratorSteps : public FieldSteps {
   AcceleratorSteps(accelerator::Accelerator& accelerator, FieldState& state, FaceExchange& exchange);
 
   void step(std::span<const float> sources) override;
+  void step(const SurfaceSources& sources, const VelocityHistory& velocities, int step) override;
   void forecast(std::span<float> pressures) override;
   void save() override;
   void load() override;
@@ -38,6 +39,8 @@ class AcceleratorSteps : public FieldSteps {
   };
   /// @throws std::runtime_error if they did not fit into the memory of the accelerator
   [[nodiscard]] AcceleratorNodes& nodes();
+  /// @param place  of the first node in `sources`
+  void advance(const accelerator::Array<float>& sources, int place);
   void exchange_faces(accelerator::Array<float>& pressure);
 
   accelerator::Accelerator& accelerator_;
@@ -47,7 +50,10 @@ class AcceleratorSteps : public FieldSteps {
   AcceleratorLayers layers_;
   accelerator::Array<float> rate_;                // [cells]
   accelerator::Array<float> pressure_, pending_;  // [cells, then nodes] now; those that the next step writes
+  std::optional<AcceleratorVelocities> velocities_;
   std::optional<AcceleratorNodes> nodes_;
+  std::optional<AcceleratorSources> sources_;
+  std::optional<accelerator::Array<float>> given_sources_;  // [nodes] by the processor
   std::optional<Faces> own_faces_, ghost_faces_;
 };
 

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "idiophone/air/waves/pressure_probe.hpp"
+#include "idiophone/air/waves/surface_sources.hpp"
+#include "idiophone/air/waves/velocity_history.hpp"
 #include "idiophone/foundation/types.hpp"
 
 namespace idiophone::waves {
@@ -22,6 +24,7 @@ class FieldSteps {
 
   /// One step, as WaveField::step().
   virtual void step(std::span<const float> sources) = 0;
+  virtual void step(const SurfaceSources& sources, const VelocityHistory& velocities, int step) = 0;
   /// As WaveField::forecast().
   virtual void forecast(std::span<float> pressures) = 0;
 

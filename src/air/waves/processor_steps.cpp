@@ -51,6 +51,14 @@ void ProcessorSteps::step(std::span<const float> sources) {
   state_.publish_nodes();
 }
 
+void ProcessorSteps::step(const SurfaceSources& sources, const VelocityHistory& velocities, int step) {
+  velocities_.resize(velocities.signals());
+  velocities.changes(step, velocities_);
+  sources_.resize(state_.cut_cells.nodes().size());
+  sources.add(velocities_, sources_);
+  this->step(sources_);
+}
+
 float ProcessorSteps::inflow(Index node) const {
   const std::vector<float>& pressure = state_.pressure;
   const float here = pressure[state_.subdomain.length() + node];

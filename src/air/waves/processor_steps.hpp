@@ -14,6 +14,7 @@ class ProcessorSteps : public FieldSteps {
   ProcessorSteps(FieldState& state, FaceExchange& exchange) : state_(state), exchange_(exchange) {}
 
   void step(std::span<const float> sources) override;
+  void step(const SurfaceSources& sources, const VelocityHistory& velocities, int step) override;
   void forecast(std::span<float> pressures) override;
   void save() override {}
   void load() override {}
@@ -30,7 +31,9 @@ class ProcessorSteps : public FieldSteps {
 
   FieldState& state_;
   FaceExchange& exchange_;
-  std::vector<float> change_;  // [nodes] of their pressures in a step with losses, Pa
+  std::vector<float> change_;      // [nodes] of their pressures in a step with losses, Pa
+  std::vector<float> velocities_;  // [triangles] what velocities change in a step, Pa
+  std::vector<float> sources_;     // [nodes] what they add to the rates, Pa per step
 };
 
 }  // namespace idiophone::waves

@@ -34,8 +34,7 @@ std::vector<double> weights_at(double time, int half_width) {
 
 }  // namespace
 
-VelocityHistory::VelocityHistory(std::size_t signals, int steps)
-    : samples_(2 * half_width + 1, std::vector<float>(signals)) {
+VelocityHistory::VelocityHistory(std::size_t signals, int steps) : samples_(length(), std::vector<float>(signals)) {
   for (int step = 0; step < steps; ++step) {
     const std::vector<double> after = weights_at((step + 0.5) / steps, half_width);
     const std::vector<double> before = weights_at((step - 0.5) / steps, half_width);
@@ -49,12 +48,14 @@ void VelocityHistory::fill(std::span<const float> values) {
   for (auto& sample : samples_) {
     sample.assign(values.begin(), values.end());
   }
+  oldest_ += length();
 }
 
 void VelocityHistory::push(std::span<const float> values) {
   samples_.push_back(std::move(samples_.front()));
   samples_.pop_front();
   samples_.back().assign(values.begin(), values.end());
+  ++oldest_;
 }
 
 void VelocityHistory::changes(int step, std::span<float> changes) const {
@@ -82,6 +83,7 @@ void VelocityHistory::restore(std::span<const double> samples) {
     const auto sample = samples.subspan(n * signals, signals);
     samples_[n].assign(sample.begin(), sample.end());
   }
+  oldest_ += length();
 }
 
 }  // namespace idiophone::waves

@@ -68,6 +68,10 @@ void WaveField::step(std::span<const float> sources) {
   steps_->step(sources);
 }
 
+void WaveField::step(const SurfaceSources& sources, const VelocityHistory& velocities, int step) {
+  steps_->step(sources, velocities, step);
+}
+
 void WaveField::forecast(std::span<float> pressures) {
   steps_->forecast(pressures);
 }

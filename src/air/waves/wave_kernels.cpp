@@ -21,14 +21,16 @@ std::string source() {
 
 WaveKernels::WaveKernels(accelerator::Accelerator& accelerator)
     : program(accelerator, source()),
-      stretch_faces(program, "stretch_faces"),
+      begin_step(program, "begin_step"),
       step_cells(program, "step_cells"),
-      add_node_rates(program, "add_node_rates"),
+      node_rates_at_rest(program, "node_rates_at_rest"),
       slow_ways(program, "slow_ways"),
       slow_nodes(program, "slow_nodes"),
       cool_nodes(program, "cool_nodes"),
       advance_nodes(program, "advance_nodes"),
-      publish_nodes(program, "publish_nodes"),
+      forecast_nodes(program, "forecast_nodes"),
+      change_velocities(program, "change_velocities"),
+      add_sources(program, "add_sources"),
       gather(program, "gather"),
       scatter(program, "scatter") {}
 

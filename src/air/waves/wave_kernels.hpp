@@ -10,8 +10,9 @@ struct WaveKernels {
   explicit WaveKernels(accelerator::Accelerator& accelerator);
 
   accelerator::Program program;
-  accelerator::Kernel stretch_faces, step_cells;
-  accelerator::Kernel add_node_rates, slow_ways, slow_nodes, cool_nodes, advance_nodes, publish_nodes;
+  accelerator::Kernel begin_step, step_cells;
+  accelerator::Kernel node_rates_at_rest, slow_ways, slow_nodes, cool_nodes, advance_nodes, forecast_nodes;
+  accelerator::Kernel change_velocities, add_sources;
   accelerator::Kernel gather, scatter;
 };
 

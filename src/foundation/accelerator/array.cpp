@@ -49,12 +49,6 @@ void Memory::read(std::size_t first, std::span<std::byte> bytes) const {
   }
 }
 
-void Memory::copy(std::size_t from, std::size_t to, std::size_t bytes) {
-  auto* const memory = static_cast<cl_mem>(handle());
-  require_success(clEnqueueCopyBuffer(queue_of(*accelerator_), memory, memory, from, to, bytes, 0, nullptr, nullptr),
-                  "copy in an array");
-}
-
 }  // namespace idiophone::accelerator
 
 #endif

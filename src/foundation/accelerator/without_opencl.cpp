@@ -35,10 +35,6 @@ void Memory::read(std::size_t /*first*/, std::span<std::byte> /*bytes*/) const {
   refuse();
 }
 
-void Memory::copy(std::size_t /*from*/, std::size_t /*to*/, std::size_t /*bytes*/) {
-  refuse();
-}
-
 Program::Program(Accelerator& accelerator, const std::string& /*source*/) : accelerator_(&accelerator) {
   refuse();
 }

@@ -52,12 +52,15 @@ class SurfaceSources {
   /// Area of triangles that have no air in front of them, m2: surfaces that touch.
   [[nodiscard]] double covered_area() const { return covered_area_; }
 
- private:
   /// A part of a triangle.
   struct Piece {
     Index node, triangle;
     float weight;  ///< of its pressure
   };
+  /// Of which add() is the sum: by node, then by triangle.
+  [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
+
+ private:
   /// The area of a triangle in front of which a node is.
   struct Front {
     Index node;

@@ -28,6 +28,19 @@ class VelocityHistory {
   /// @param changes  [signals]
   void changes(int step, std::span<float> changes) const;
 
+  [[nodiscard]] std::size_t signals() const { return samples_.front().size(); }
+  /// In an audio sample.
+  [[nodiscard]] int steps() const { return static_cast<int>(weights_.size()); }
+  /// How many audio samples are kept.
+  [[nodiscard]] static constexpr int length() { return 2 * half_width + 1; }
+  /// Of the kept audio samples, oldest first, in the changes of a step.
+  [[nodiscard]] std::span<const float> weights(int step) const { return weights_[step]; }
+  /// One of the kept audio samples, from 0 for the oldest one: [signals].
+  [[nodiscard]] std::span<const float> sample(int place) const { return samples_[place]; }
+  /// The number of the oldest kept audio sample. Others follow it. No two samples of this object ever have the same
+  /// number, so a copy of it knows which ones are new.
+  [[nodiscard]] std::int64_t oldest() const { return oldest_; }
+
   /// All samples, oldest first: [samples x signals].
   [[nodiscard]] std::vector<double> samples() const;
   void restore(std::span<const double> samples);
@@ -37,6 +50,7 @@ class VelocityHistory {
 
   std::vector<std::vector<float>> weights_;  // [steps][samples]
   std::deque<std::vector<float>> samples_;   // oldest first
+  std::int64_t oldest_ = 0;
 };
 
 }  // namespace idiophone::waves

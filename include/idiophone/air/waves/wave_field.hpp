@@ -19,6 +19,8 @@ namespace idiophone::waves {
 
 class FaceExchange;
 class FieldSteps;
+class SurfaceSources;
+class VelocityHistory;
 struct FieldState;
 
 /// The pressure of cells and nodes, and its change in a step. Pressure and velocity on a staggered grid, advanced by
@@ -59,6 +61,12 @@ class WaveField {
   /// One step. Exchanges with the neighbouring ranks.
   /// @param sources  [cut_cells().nodes()] what surfaces add to the rates of the nodes, Pa per step
   void step(std::span<const float> sources);
+  /// The same with surfaces whose velocities are known at the audio rate.
+  /// @param sources     of the surfaces that are in place
+  /// @param velocities  rho c v_n of their triangles, Pa. An accelerator keeps a copy of them, so they must be the same
+  ///                    object in each step
+  /// @param step        of the audio sample, from 0 on
+  void step(const SurfaceSources& sources, const VelocityHistory& velocities, int step);
 
   /// The pressures in the middle of the next step if no surface changes its velocity before the end of it.
   /// @param pressures  [cut_cells().nodes()] Pa; those of ghost cells are left as they are

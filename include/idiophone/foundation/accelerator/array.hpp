@@ -19,8 +19,6 @@ class Memory {
   void write(std::size_t first, std::span<const std::byte> bytes);
   /// Waits until all that the accelerator was told before is done.
   void read(std::size_t first, std::span<std::byte> bytes) const;
-  /// Copies bytes to another place, which must not overlap with the first one.
-  void copy(std::size_t from, std::size_t to, std::size_t bytes);
 
   [[nodiscard]] void* handle() const { return memory_.get(); }
 
@@ -49,9 +47,6 @@ class Array {
   }
   void read(std::span<T> values, std::size_t first = 0) const {
     memory_.read(first * sizeof(T), std::as_writable_bytes(values));
-  }
-  void copy(std::size_t from, std::size_t to, std::size_t count) {
-    memory_.copy(from * sizeof(T), to * sizeof(T), count * sizeof(T));
   }
 
  private:

@@ -8,15 +8,11 @@ static int place_in(constant struct LayerTable* layer, int x, int y, int z) {
   return layer->memory + x + y * layer->row + z * layer->plane;
 }
 
-/// Advances the memory of the faces of all layers.
-/// @param faces   of all layers
+/// Advances the memory of a face.
+/// @param number  of the face among those of all layers
 /// @param first   number of the first cell in arrays of the subdomain, whose rows and planes are so long
-kernel void stretch_faces(int faces, int count, constant struct LayerTable* layers, int first, int row, int plane,
-                          global const float* decay, global const float* pressure, global float* memory) {
-  int number = get_global_id(0);
-  if (number >= faces) {
-    return;
-  }
+static void stretch_face(int number, int count, constant struct LayerTable* layers, int first, int row, int plane,
+                         global const float* decay, global const float* pressure, global float* memory) {
   constant struct LayerTable* layer = layers;
   while (layer + 1 < layers + count && number >= (layer + 1)->first_face) {
     ++layer;
@@ -45,10 +41,13 @@ static float stretched_inflow(constant struct LayerTable* layer, int x, int y, i
 }
 
 /// Advances all cells of the subdomain.
-/// @param next  the pressures after the step
-kernel void step_cells(int width, int height, int depth, int count, constant struct LayerTable* layers, int first,
-                       int row, int plane, float square, global const float* decay, global const float* faces,
-                       global float* memory, global const float* pressure, global float* rate, global float* next) {
+/// @param mirrored  whether a rigid floor is below: the cells there are mirror images
+/// @param held      whether a cell has the pressure of a node, or is solid: [cells]
+/// @param next      the pressures after the step, with those of the nodes and of their cells
+kernel void step_cells(int width, int height, int depth, int mirrored, int count, constant struct LayerTable* layers,
+                       int first, int row, int plane, float square, global const uchar* held, global const float* decay,
+                       global const float* faces, global float* memory, global const float* pressure,
+                       global float* rate, global float* next) {
   const int x = get_global_id(0), y = get_global_id(1), z = get_global_id(2);
   if (x >= width || y >= height || z >= depth) {
     return;
@@ -64,6 +63,11 @@ kernel void step_cells(int width, int height, int depth, int count, constant str
   }
   gain += square * inflow_of_cell(inflow_along(*here, here[-1], here[1]), inflow_along(*here, here[-row], here[row]),
                                   inflow_along(*here, here[-plane], here[plane]));
-  rate[cell] = gain;
-  next[cell] = *here + gain;
+  if (!held[cell]) {
+    rate[cell] = gain;
+    next[cell] = *here + gain;
+  }
+  if (mirrored && z == 0) {
+    next[cell - plane] = next[cell];
+  }
 }

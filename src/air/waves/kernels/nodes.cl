@@ -1,21 +1,35 @@
 // A step of nodes at surfaces. Their pressures follow those of so many `cells` in an array of pressures.
 
-/// What links and sources add to the rates of nodes.
+/// What the links of a node add to its rate.
 /// @param stiffness  C^2/V
-/// @param gain       the new rates
-kernel void add_node_rates(int nodes, int cells, global const int* first_link, global const int* to,
-                           global const float* area, global const float* stiffness, global const float* pressure,
-                           global const float* rate, global const float* sources, global float* gain) {
-  const int node = get_global_id(0);
-  if (node >= nodes) {
-    return;
-  }
+static float inflow_of_node(int node, int cells, global const int* first_link, global const int* to,
+                            global const float* area, global const float* stiffness, global const float* pressure) {
   const float here = pressure[cells + node];
   float flow = 0.0F;
   for (int link = first_link[node]; link < first_link[node + 1]; ++link) {
     flow += area[link] * (pressure[to[link]] - here);
   }
-  gain[node] = rate[node] + (stiffness[node] * flow + sources[node]);
+  return stiffness[node] * flow;
+}
+
+/// The pressure of a node after a step, for itself and for its cell.
+/// @param cell  that takes its pressure; -1 for none
+static void publish_node(int node, int cells, int cell, float pressure, global float* next) {
+  next[cells + node] = pressure;
+  if (cell >= 0) {
+    next[cell] = pressure;
+  }
+}
+
+/// The rates of nodes without sources.
+/// @param gain  the new rates
+kernel void node_rates_at_rest(int nodes, int cells, global const int* first_link, global const int* to,
+                               global const float* area, global const float* stiffness, global const float* pressure,
+                               global const float* rate, global float* gain) {
+  const int node = get_global_id(0);
+  if (node < nodes) {
+    gain[node] = rate[node] + inflow_of_node(node, cells, first_link, to, area, stiffness, pressure);
+  }
 }
 
 /// What half a derivative takes from a quantity in a step.
@@ -83,23 +97,20 @@ kernel void cool_nodes(int nodes, int quantities, int cells, int advances, float
   }
 }
 
-/// Pressures after a part of a step.
-/// @param first  the place of the first one in `next`
-kernel void advance_nodes(int nodes, int cells, float part, global const float* pressure, global const float* change,
-                          int first, global float* next) {
+/// Pressures of nodes after a step in which walls took something.
+kernel void advance_nodes(int nodes, int cells, global const int* cell, global const float* pressure,
+                          global const float* change, global float* next) {
   const int node = get_global_id(0);
   if (node < nodes) {
-    next[first + node] = pressure[cells + node] + part * change[node];
+    publish_node(node, cells, cell[node], pressure[cells + node] + change[node], next);
   }
 }
 
-/// Gives cells the pressures of nodes.
-/// @param node  of each of these cells; -1 for a solid
-kernel void publish_nodes(int count, int cells, global const int* cell, global const int* node, global float* pressure,
-                          global float* rate) {
-  const int i = get_global_id(0);
-  if (i < count) {
-    pressure[cell[i]] = node[i] < 0 ? 0.0F : pressure[cells + node[i]];
-    rate[cell[i]] = 0.0F;
+/// Pressures of nodes after half a step.
+kernel void forecast_nodes(int nodes, int cells, global const float* pressure, global const float* change,
+                           global float* forecast) {
+  const int node = get_global_id(0);
+  if (node < nodes) {
+    forecast[node] = pressure[cells + node] + 0.5F * change[node];
   }
 }
