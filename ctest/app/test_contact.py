@@ -177,6 +177,21 @@ class Contact(program.TestCase):
         self.assertRegex(said, r"left: the two overlap at the start, .* m3 around \(-0.03")
         self.assertNotIn("right: the two overlap", said)
 
+    def test_parts_of_a_body_that_overlap_at_the_start_are_named(self):
+        mesh = self.output / "ring.geo"  # of more than one turn
+        mesh.write_text("""
+            Point(1) = {1, 0, 0}; Point(2) = {1.3, 0, 0}; Point(3) = {1.3, 0, 0.3}; Point(4) = {1, 0, 0.3};
+            Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+            Curve Loop(1) = {1:4}; Plane Surface(1) = {1}; end = 1; all[] = {}; Mesh.MeshSizeMax = 0.3;
+            For turn In {1:4}
+              part[] = Extrude {{0, 0, 1}, {0, 0, 0}, 1.7} { Surface{end}; Layers{5}; };
+              end = part[0]; all[] += {part[1]};
+            EndFor
+            Physical Volume("body") = {all[]};""")
+        _, said = self.run_deck("fork", f"bodies.fork={{mesh: {mesh}, material: rubber}}", "loads={}",
+                                "time.duration=1e-3")
+        self.assertRegex(said, r"clack: parts of fork overlap at the start, .* m3 around \(1\.")
+
 
 if __name__ == "__main__":
     unittest.main()

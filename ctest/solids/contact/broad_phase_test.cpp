@@ -88,6 +88,21 @@ TEST(BroadPhase, MarginGrowsWithTheSpeed) {
   EXPECT_TRUE(phase.may_touch(bounds_of(block, 0)));
 }
 
+TEST(BroadPhase, MarginOfABodyWithItselfGrowsWithTheSpeedOfItsPartsOnly) {
+  Block block = column(0.5);
+  BroadPhase phase({&block.side}, nullptr, interval);
+  Bounds flying = bounds_of(block, 0, 125.0);
+  flying.velocities.extend(Vector3(125, 0, 0));
+  phase.update(flying);
+  EXPECT_NEAR(phase.margin(), block.skin.thinnest / 16, 1e-15);
+  flying.velocities.extend(Vector3(121, 0, 3));
+  phase.update(flying);
+  EXPECT_NEAR(phase.margin(), block.skin.thinnest / 16 + 2 * 5 * interval, 1e-15);
+  flying.velocities.extend(Vector3(-125, -125, -125));  // the largest speed is a bound, too
+  phase.update(flying);
+  EXPECT_NEAR(phase.margin(), block.skin.thinnest / 16 + 0.5, 1e-15);
+}
+
 TEST(BroadPhase, TwoBodiesMayTouchWhereTheirBoundsMeet) {
   Block lower = column(0);
   Block upper = column(4.01);

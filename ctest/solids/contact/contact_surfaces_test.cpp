@@ -99,6 +99,16 @@ TEST(ContactSurfaces, WithBristlesStiffenAndDampBothPartners) {
   EXPECT_EQ(bounds[2].square, 0.0);
 }
 
+TEST(ContactSurfaces, WithBristlesBoundABodyThatTouchesItselfAsTwoBodies) {
+  Blocks blocks;
+  blocks.scene.contacts = {scene::Contact()};
+  blocks.scene.contacts[0].other = blocks.scene.contacts[0].body = 0;
+  blocks.scene.contacts[0].friction.memory = friction::Law{.stiffness = 3.0, .damping = 0.5, .viscosity = 0.25};
+  const auto bounds = bristle_bounds(blocks.scene, blocks.inverse_mass, blocks.surfaces);
+  EXPECT_DOUBLE_EQ(bounds[0].square, 3.0 * (5.0 + 5.0));
+  EXPECT_DOUBLE_EQ(bounds[0].damping, 0.75 * (5.0 + 5.0));
+}
+
 TEST(ContactSurfaces, ChosenForAShareReachIt) {
   Blocks blocks;
   choose_stiffness(blocks.scene, blocks.inverse_mass, 1000.0, stiffness_share, blocks.surfaces);

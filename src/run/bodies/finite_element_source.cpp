@@ -166,11 +166,15 @@ void FiniteElementSource::report_overlaps() const {
     std::array<double, 4> place = {now.overlap, now.point.x(), now.point.y(), now.point.z()};
     parallel::reduce(place, MPI_SUM, communicator_);  // zero on all ranks but one
     const double depth = deepest(c);
+    const scene::Contact& contact = ready_.scene.contacts[c];
     if (depth > 0 && rank_ == 0) {
+      const std::string who =
+          contact.other == contact.body ? "parts of " + ready_.scene.bodies[contact.body].name : "the two";
       spdlog::warn(
-          "{}: the two overlap at the start, {:.3g} m3 around ({:.4g}, {:.4g}, {:.4g}), {:.3g} m deep, and will fly "
-          "apart; move them so that they only touch",
-          ready_.scene.contacts[c].name, place[0], place[1], place[2], place[3], depth);
+          "{}: {} overlap at the start, {:.3g} m3 around ({:.4g}, {:.4g}, {:.4g}), {:.3g} m deep, and will fly "
+          "apart; {} so that they only touch",
+          contact.name, who, place[0], place[1], place[2], place[3], depth,
+          contact.other == contact.body ? "change the mesh" : "move them");
     }
   }
 }

@@ -30,6 +30,7 @@ void Bounds::extend(const Bounds& other) {
   for (std::size_t side = 0; side < boxes.size(); ++side) {
     boxes[side].extend(other.boxes[side]);
   }
+  velocities.extend(other.velocities);
   speed = std::max(speed, other.speed);
 }
 
@@ -45,10 +46,16 @@ BroadPhase::BroadPhase(std::vector<Side*> sides, const RigidShape* shape, double
 
 void BroadPhase::update(const Bounds& whole) {
   whole_ = whole;
-  if (shape_ == nullptr && sides_.size() == 1) {
+  if (is_with_itself()) {
     whole_.boxes[1] = whole_.boxes[0];  // it may touch itself anywhere
   }
-  margin_ = least_margin_ + 4 * whole.speed * interval_;
+  margin_ = least_margin_ + 2 * closing_speed() * interval_;
+}
+
+double BroadPhase::closing_speed() const {
+  const double both = 2 * whole_.speed;
+  // What moves all of a body does not bring its parts together.
+  return is_with_itself() && !whole_.velocities.isEmpty() ? std::min(both, whole_.velocities.diagonal().norm()) : both;
 }
 
 int BroadPhase::updates_to_skip() const {

@@ -14,6 +14,7 @@ namespace idiophone::contact {
 /// Where some nodes of both sides are, and how fast they move.
 struct Bounds {
   std::array<Box, 2> boxes;  ///< empty where there is no node, m
+  Box velocities;            ///< around their velocities, m/s
   double speed = 0.0;        ///< the largest, m/s
 
   void extend(const Bounds& other);
@@ -47,6 +48,9 @@ class BroadPhase {
   [[nodiscard]] std::vector<Index> near_parts() const;
 
  private:
+  [[nodiscard]] bool is_with_itself() const { return shape_ == nullptr && sides_.size() == 1; }
+  /// How fast nodes of the partners may come nearer to each other, m/s, or more.
+  [[nodiscard]] double closing_speed() const;
   /// Least distance between the partners, or less; m.
   [[nodiscard]] double gap() const;
   /// Largest distance of a box from the planes of a part, m: below zero if it is behind all of them.

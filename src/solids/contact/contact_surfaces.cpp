@@ -112,7 +112,7 @@ std::vector<BristleBounds> bristle_bounds(const scene::Solids& solids, std::span
     }
     const BristleBounds more{law.stiffness * mobility, (law.damping + law.viscosity) * mobility};
     add(more, bounds[contact.body]);
-    if (contact.other) {
+    if (contact.other && *contact.other != contact.body) {
       add(more, bounds[*contact.other]);
     }
   }

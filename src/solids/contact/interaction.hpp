@@ -10,15 +10,14 @@
 // slip as a whole rub as the law says.
 
 #include <array>
-#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
-#include "cell_neighbours.hpp"
 #include "idiophone/scene/contact_sections.hpp"
 #include "idiophone/solids/contact/contact_motion.hpp"
 #include "idiophone/solids/contact/contacts.hpp"
+#include "near_pairs.hpp"
 #include "overlap.hpp"
 #include "side.hpp"
 
@@ -38,22 +37,22 @@ class Interaction {
   Interaction(const scene::Contact& contact, double stiffness, double step, Side& first, Side& second);
   Interaction(const scene::Contact& contact, double stiffness, double step, Side& first, const RigidShape& second);
 
-  /// Chooses the pairs of cells that may overlap from now on: those whose boxes are within `margin` (m) of each other.
-  /// Of a body with itself, each pair once, and none of neighbours.
-  /// @param first, second  cells whose positions are known, ascending; parts of the shape, if that is the partner
-  void choose_candidates(const std::vector<Index>& first, const std::vector<Index>& second, double margin);
+  /// As NearPairs::choose_candidates.
+  void choose_candidates(const std::vector<Index>& first, const std::vector<Index>& second, double margin) {
+    near_pairs_.choose_candidates(first, second, margin);
+  }
 
   /// The cells of these pairs, ascending; parts of the shape, if that is the second partner.
-  [[nodiscard]] const std::vector<Index>& cells(std::size_t partner) const { return cells_.at(partner); }
+  [[nodiscard]] const std::vector<Index>& cells(std::size_t partner) const { return near_pairs_.cells(partner); }
 
   /// Whether there is any such pair: if not, nothing can touch, and nothing needs to be known.
-  [[nodiscard]] bool may_touch() const { return !candidates_.empty(); }
+  [[nodiscard]] bool may_touch() const { return near_pairs_.any_candidates(); }
 
   /// Finds the pairs of cells whose boxes overlap where the sides are now. Clears overlaps and forces.
   void find_near_pairs();
 
   /// How many there are.
-  [[nodiscard]] std::size_t near_pairs() const { return near_.size(); }
+  [[nodiscard]] std::size_t near_pairs() const { return near_pairs_.found().size(); }
 
   /// Computes the overlaps of a portion of these pairs. The portions, one after the other, are all overlaps in order.
   void find_overlaps(const Portion& portion);
@@ -75,9 +74,6 @@ class Interaction {
   void set_deepest(double deepest) { deepest_ = deepest; }
 
  private:
-  void find_boxes();
-  [[nodiscard]] bool can_meet(Index first, Index second) const;
-  void keep_cells_of_candidates();
   void gather_touches();
   void compute_normal_pressure(Side& side);
   void compute_friction(BondUpdate bonds);
@@ -105,11 +101,7 @@ class Interaction {
   double step_;                ///< s
   std::array<Side*, 2> both_;  ///< null for an obstacle; one side twice for a body with itself
   const RigidShape* shape_ = nullptr;
-  std::optional<CellNeighbours> neighbours_;         ///< of a body in contact with itself
-  std::array<std::vector<Index>, 2> cells_;          ///< that may touch, ascending
-  std::array<std::vector<Box>, 2> boxes_;            ///< of these cells
-  std::vector<std::pair<Index, Index>> candidates_;  ///< pairs of these cells, as places in the lists, ascending
-  std::vector<std::pair<Index, Index>> near_;        ///< those whose boxes overlap
+  NearPairs near_pairs_;
   Overlaps overlaps_;
   std::array<std::vector<Index>, 2> touched_before_;
   double load_ = 0.0;  ///< of friction with memory: sum of pressure times surface of all nodes, N

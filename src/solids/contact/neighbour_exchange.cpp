@@ -54,6 +54,8 @@ void NeighbourExchange::send_bounds(std::span<const solid::NodeState> state, par
     append(box.min(), message);
     append(box.max(), message);
   }
+  append(own_.velocities.min(), message);
+  append(own_.velocities.max(), message);
   message.push_back(own_.speed);
   for (const Peer& peer : peers_) {
     messages.send(message, peer.rank, tag_bounds);
@@ -70,6 +72,7 @@ void NeighbourExchange::receive_bounds(BroadPhase& broad_phase, parallel::Messag
     for (std::size_t s = 0; s < 2; ++s) {
       peer.bounds.boxes.at(s) = Box(Vector3(&answer[6 * s]), Vector3(&answer[6 * s + 3]));
     }
+    peer.bounds.velocities = Box(Vector3(&answer[12]), Vector3(&answer[15]));
     peer.bounds.speed = answer.back();
     whole.extend(peer.bounds);
   }
@@ -96,6 +99,7 @@ Bounds NeighbourExchange::local_bounds(std::span<const solid::NodeState> state) 
       bounds.boxes.at(s).extend(side.position[node.place]);
     }
     for (const SkinNode& node : local_[s].owned) {
+      bounds.velocities.extend(side.velocity[node.place]);
       squared_speed = std::max(squared_speed, side.velocity[node.place].squaredNorm());
     }
   }

@@ -24,7 +24,7 @@ namespace idiophone::contact {
 class NeighbourExchange {
  public:
   /// Collective.
-  /// @param sides  one side, or two if both partners are bodies
+  /// @param sides  one side, or two if the partners are two bodies
   NeighbourExchange(std::vector<Side*> sides, const mesh::Part& part, MPI_Comm communicator);
 
   /// First part of an update: sends where this rank's nodes are.

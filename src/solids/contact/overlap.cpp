@@ -8,19 +8,19 @@ namespace {
 
 constexpr int first_face_of_second = 4;  // numbers of the overlap's faces: the first cell's four, then the second's
 
-/// Whether a plane has all corners on its outer side.
-bool separates(const Plane& plane, const Tetrahedron& tetrahedron) {
-  return std::ranges::all_of(tetrahedron.corners, [&](const Vector3& x) { return plane.distance(x) >= 0; });
-}
-
-bool separated(const Cell& first, const Cell& second) {
-  const auto separates_first = [&](const Plane& plane) { return separates(plane, *first.tetrahedron); };
-  const auto separates_second = [&](const Plane& plane) { return separates(plane, *second.tetrahedron); };
-  return std::ranges::any_of(second.planes, separates_first) ||
-         (second.tetrahedron != nullptr && std::ranges::any_of(first.planes, separates_second));
+/// Whether a plane has all corners on its outer side, and none nearer than `distance`.
+bool separates(const Plane& plane, const Tetrahedron& tetrahedron, double distance) {
+  return std::ranges::all_of(tetrahedron.corners, [&](const Vector3& x) { return plane.distance(x) >= distance; });
 }
 
 }  // namespace
+
+bool separated(const Cell& first, const Cell& second, double distance) {
+  const auto separates_first = [&](const Plane& plane) { return separates(plane, *first.tetrahedron, distance); };
+  const auto separates_second = [&](const Plane& plane) { return separates(plane, *second.tetrahedron, distance); };
+  return std::ranges::any_of(second.planes, separates_first) ||
+         (second.tetrahedron != nullptr && std::ranges::any_of(first.planes, separates_second));
+}
 
 void Overlaps::clear() {
   cells_.clear();
@@ -41,7 +41,7 @@ double Overlaps::volume() const {
 }
 
 void Overlaps::add(const Cell& first, const Cell& second) {
-  if (separated(first, second)) {
+  if (separated(first, second, 0.0)) {
     return;
   }
   common_.become(*first.tetrahedron);

@@ -22,6 +22,9 @@ struct Cell {
   std::span<const char> exterior;            ///< [planes] 1 where the plane's face lies on the surface
 };
 
+/// Whether the plane of a face has the two cells on its two sides, at least `distance` (m) apart along its normal.
+[[nodiscard]] bool separated(const Cell& first, const Cell& second, double distance);
+
 /// One cell's part in an overlap.
 struct CellShare {
   int side = 0;                      ///< 0: of the first body, 1: of the second
