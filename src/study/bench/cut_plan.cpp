@@ -168,6 +168,7 @@ class Planner {
   Visit adopt(Trial trial) {
     made_ = std::move(trial.all);
     body_ = std::move(trial.body);
+    plan_.is_settled = true;
     return std::move(trial.visit);
   }
 
@@ -200,12 +201,11 @@ class Planner {
   }
 
   std::optional<Visit> shallower_visit(std::vector<Cut> cuts, const MatrixXd& before, const VectorXd& errors) {
-    plan_.is_settled = cuts.empty();
+    plan_.is_settled = plan_.is_settled && cuts.empty();
     constexpr double share = 0.6;
     while (!(cuts = shallower(cuts, share, options_.depth_error)).empty()) {
       Trial trial = tried(cuts, before, errors);
       if (is_good(trial, errors)) {
-        plan_.is_settled = true;
         return adopt(std::move(trial));
       }
     }
