@@ -1,5 +1,7 @@
 #!/usr/bin/python3
 """`idiophone bench`: its partials and cuts, its page, and answers to wrong options."""
+import importlib.machinery
+import importlib.util
 import json
 import math
 import unittest
@@ -199,6 +201,26 @@ class Bench(program.TestCase):
         made.write_text('side: +z\ncuts: []')
         self.assertIn("cuts.yaml:1:7: side: these cuts were made at the side +z, but -z is to be cut: give --side +z",
                       self.bench(*TARGET, "--cuts", made, status=program.WRONG_DECK).stderr)
+
+    def test_a_groove_does_what_a_new_mesh_with_it_does(self):
+        loader = importlib.machinery.SourceFileLoader("tuning_workshop", str(program.SOURCE / "tools/tuning_workshop"))
+        workshop = importlib.util.module_from_spec(importlib.util.spec_from_loader("tuning_workshop", loader))
+        loader.exec_module(workshop)
+        groove, made = {"tool": "router", "place": 0.02, "width": 0.012, "depth": 5e-4}, self.output / "cuts.yaml"
+        made.write_text('cuts: [{tool: "router:0.006", place: 0.02, depth: 5e-4}]')
+        decks = [workshop.deck(self.output, name, workshop.WOOD, cuts, 0.0) for name, cuts in (("uncut", []), ("cut", [groove]))]
+
+        def lowest(deck):
+            job = program.idiophone("modes", deck, "--modes", 1, "--mass", "consistent", "--no-estimate", "--output-folder", self.output,
+                                    "--json")
+            self.require_status(job, program.FINISHED)
+            return json.loads(job.stdout)["modes"][0]["frequency"]
+
+        uncut, meshed = map(lowest, decks)
+        job = program.idiophone("bench", decks[0], "--target", uncut, "--mode-numbers", 1, "--cuts", made, "--tolerance", 100, "--json")
+        self.require_status(job, program.FINISHED)
+        moved = json.loads(job.stdout)["partials"][0]["computed"]
+        self.assertAlmostEqual(math.log(moved / uncut) / math.log(meshed / uncut), 1, delta=0.04)
 
     def test_drawings_have_the_places_of_the_mesh_and_the_profiles_of_the_cuts(self):
         drawing, made, mesh = (self.output / name for name in ("bar.dxf", "cuts.yaml", "bar.h5"))

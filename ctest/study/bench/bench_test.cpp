@@ -279,6 +279,15 @@ TEST(Plan, EndsWhereThePartialsAreInTune) {
   EXPECT_TRUE(plan.visits.empty());
 }
 
+// At all places that lower the first partial, twice the error of the depth throws it by more than a quarter of its
+// error.
+TEST(Plan, TakesRoughCutsWhereNoGentleOnesAreSafe) {
+  const Plan plan = plan_for({20, 1}, {.deepest = 5e-4});
+  ASSERT_EQ(plan.verdict, Verdict::cut);
+  EXPECT_LT(plan.visits.front().expected[0], 12);
+  expect_safe(plan, 3);
+}
+
 TEST(Plan, SaysWhatIsNotSafe) {
   EXPECT_EQ(plan_for({20, 10}, {.depth_error = 5e-4}).verdict, Verdict::not_safe);
 }

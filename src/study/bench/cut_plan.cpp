@@ -17,8 +17,12 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Whether cuts of doubted tools may be chosen. They are where no others are safe.
-enum class Doubted { refused, allowed };
+/// Which candidates may be chosen. Each choice counts where those before it have no safe cuts.
+enum class Choice {
+  careful,  ///< gentle ones (Certainty::is_gentle()) of tools that are not doubted
+  gentle,   ///< those of doubted tools, too
+  any
+};
 
 /// Cuts of one visit, and the body with them.
 struct Trial {
@@ -90,12 +94,13 @@ class Planner {
   }
 
   /// [partials x candidates] by which those that may be made move the errors, cents/m; zero for all others
-  [[nodiscard]] MatrixXd allowed(const MatrixXd& slopes, const VectorXd& errors, Doubted doubted) const {
+  [[nodiscard]] MatrixXd allowed(const MatrixXd& slopes, const VectorXd& errors, Choice choice) const {
     MatrixXd moves = certainty_.of_intervals(slopes);
     for (Eigen::Index c = 0; c < moves.cols(); ++c) {
       const bool does_little = options_.deepest * moves.col(c).cwiseAbs().maxCoeff() < options_.tolerance / 2;
-      const bool is_refused = doubted == Doubted::refused && candidates_.is_doubted(c);
-      if (is_refused || does_little || !certainty_.is_gentle(moves.col(c), errors)) {
+      const bool is_refused = choice == Choice::careful && candidates_.is_doubted(c);
+      const bool is_rough = choice != Choice::any && !certainty_.is_gentle(moves.col(c), errors);
+      if (is_refused || is_rough || does_little) {
         moves.col(c).setZero();
       }
     }
@@ -129,8 +134,15 @@ class Planner {
   /// The next visit; none where no cut is safe, or a later one leaves the model, whose tap will tell.
   std::optional<Visit> visit_within_model(const VectorXd& errors) {
     try {
-      std::optional<Visit> visit = next_visit(errors, Doubted::refused);
-      return visit || !candidates_.has_doubted() ? std::move(visit) : next_visit(errors, Doubted::allowed);
+      for (const Choice choice : {Choice::careful, Choice::gentle, Choice::any}) {
+        if (choice == Choice::gentle && !candidates_.has_doubted()) {
+          continue;
+        }
+        if (std::optional<Visit> visit = next_visit(errors, choice)) {
+          return visit;
+        }
+      }
+      return {};
     } catch (const OutsideOfModel& outside) {
       if (plan_.visits.empty()) {
         throw OutsideOfModel(std::string("the next cuts can't be planned: ") + outside.what());
@@ -174,11 +186,11 @@ class Planner {
 
   /// The cuts of one visit: chosen by slopes, then made deeper or less deep by slopes half-way between the body before
   /// and after them. Where the rounds do not end, the cuts become shallower until they are safe.
-  std::optional<Visit> next_visit(const VectorXd& errors, Doubted doubted) {
+  std::optional<Visit> next_visit(const VectorXd& errors, Choice choice) {
     constexpr int most_rounds = 5;
     const MatrixXd before = candidates_.slopes(body_.strips);
     MatrixXd slopes = before;
-    MatrixXd moves = allowed(before, errors, doubted);
+    MatrixXd moves = allowed(before, errors, choice);
     VectorXd beside = VectorXd::Zero(errors.size());
     VectorXd margin = beside;
     std::vector<Cut> cuts;
