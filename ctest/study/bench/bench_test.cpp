@@ -7,6 +7,7 @@
 #include <random>
 
 #include "block_mesh.hpp"
+#include "certainty.hpp"
 #include "idiophone/study/bench/cut_drawing.hpp"
 #include "idiophone/study/bench/cut_list.hpp"
 #include "idiophone/study/bench/cut_plan.hpp"
@@ -133,6 +134,25 @@ TEST(CuttableMesh, LosesTheVolumeOfTheCuts) {
   }
   EXPECT_THROW(static_cast<void>(cuttable.with({{{"sander", Profile::hollow, 0.04}, 0.15, 0.015, {}}})),
                std::runtime_error);
+}
+
+// By themselves, the partials would have to keep 9 and 1 cents.
+TEST(Certainty, LeavesTheSameShareOfAllPartialsThatAreOutOfTune) {
+  const PlanOptions options;
+  const Certainty certainty({Eigen::Vector2d(40, -20), Eigen::Vector2d(0.5, 0.5), false}, options);
+  const Eigen::Vector2d spread(6, 2);
+  EXPECT_NEAR((certainty.to_leave(Eigen::Vector2d(40, -20), spread) - Eigen::Vector2d(9, -4.5)).norm(), 0, 1e-12);
+  EXPECT_NEAR((certainty.to_leave(Eigen::Vector2d(40, 2), spread) - Eigen::Vector2d(9, 1)).norm(), 0, 1e-12);
+}
+
+TEST(Certainty, AsksThatNoPartialGoesAway) {
+  const PlanOptions options;
+  const Certainty certainty({Eigen::Vector2d(6, -20), Eigen::Vector2d(0.5, 0.5), false}, options);
+  const Eigen::Vector2d errors(6, -20);
+  EXPECT_TRUE(certainty.are_nearer(Eigen::Vector2d(6, -15), errors));
+  EXPECT_FALSE(certainty.are_nearer(Eigen::Vector2d(7, -5), errors));
+  EXPECT_TRUE(certainty.are_nearer(Eigen::Vector2d(2.9, -15), Eigen::Vector2d(1, -20)));
+  EXPECT_FALSE(certainty.are_nearer(Eigen::Vector2d(6, -20), errors));
 }
 
 // Two blocks with 0.1 m between them.
