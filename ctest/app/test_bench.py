@@ -1,5 +1,7 @@
 #!/usr/bin/python3
 """`idiophone bench`: its partials and cuts, its page, and answers to wrong options."""
+import importlib.machinery
+import importlib.util
 import json
 import math
 import unittest
@@ -91,6 +93,25 @@ class Bench(program.TestCase):
         self.assertNotEqual(facts["verdict"], "in_tune")
         self.assertAlmostEqual(facts["partials"][1]["measured"], lines[2], places=6)
 
+    def test_a_doubted_line_is_ambiguous_where_the_likeliest_way_leaves_a_mode_without_one(self):
+        lines = self.computed()
+        heard = [line for number, line in enumerate(lines) if number != 1]  # mode 2, or torsion, which lies near
+        facts = self.facts(*self.measured(heard))
+        self.assertEqual(facts["verdict"], "ambiguous")
+        self.assertIn("may be that of mode 2 (bending 2 along z) or of mode 3 (torsion 1)", facts["advice"])
+        self.assertIsNone(facts["partials"][1]["measured"])
+        self.assertEqual(facts["cuts"], [])
+
+    def test_learned_constants_are_those_of_a_stable_material(self):
+        soft = ("--set", "materials.aluminium.poisson=0.47")
+        flat = 2 ** (-50 / 1200)  # of torsion, as of Poisson's ratio 0.54
+        lines = [line * (flat if number in (1, 5) else 1) for number, line in enumerate(self.computed(*soft))]
+        facts = self.answer("--target", "1:4:10", "--mode-numbers", "1,3,5", *soft, *self.measured(sorted(lines)))
+        poisson, = (constant for constant in facts["learned"]["constants"] if constant["name"] == "poisson")
+        self.assertGreater(poisson["change"], 0.02)
+        self.assertLess(poisson["change"], 0.03)
+        self.assertEqual(facts["verdict"], "cut")
+
     def test_a_file_with_its_last_tap_after_its_last_cut_needs_no_other_tap(self):
         lines = [line for number, line in enumerate(self.computed()) if number not in (2, 3)]
         tapped = self.facts(*self.measured(lines), AT_THE_END)
@@ -167,6 +188,9 @@ class Bench(program.TestCase):
         self.assertIn("more than half of the body's", self.bench(*TARGET, "--cuts", made, status=program.FAILED).stderr)
         for text, message in (('cuts: [{tool: "sander:0.02", place: 13.5, depth: 0.0004}]',
                                "cuts.yaml:1:37: cuts.0.place: the middle of the cut is not on the body, which lies from -0.18 to 0.18 m"),
+                              ('cuts: [{tool: "router:1e-9", place: 0, depth: 0.0004}]',
+                               "cuts.yaml:1:15: cuts.0.tool: the cut is narrower than the plan resolves on this body: the radius of its "
+                               "tool must be at least 0.0012 m"),
                               ("cuts: []\ntaps: [{cuts: 1, lines: [200], uncertainties: [1]}]", "there are 0 cuts"),
                               ("cuts: []\ntaps: [{cuts: 0, lines: [200, 300], uncertainties: [1]}]", "has 1 numbers for 2 lines"),
                               ("cuts: []\ntaps: [{cuts: 0, lines: [], uncertainties: []}]", "a tap has at least one frequency")):
@@ -177,6 +201,26 @@ class Bench(program.TestCase):
         made.write_text('side: +z\ncuts: []')
         self.assertIn("cuts.yaml:1:7: side: these cuts were made at the side +z, but -z is to be cut: give --side +z",
                       self.bench(*TARGET, "--cuts", made, status=program.WRONG_DECK).stderr)
+
+    def test_a_groove_does_what_a_new_mesh_with_it_does(self):
+        loader = importlib.machinery.SourceFileLoader("tuning_workshop", str(program.SOURCE / "tools/tuning_workshop"))
+        workshop = importlib.util.module_from_spec(importlib.util.spec_from_loader("tuning_workshop", loader))
+        loader.exec_module(workshop)
+        groove, made = {"tool": "router", "place": 0.02, "width": 0.012, "depth": 5e-4}, self.output / "cuts.yaml"
+        made.write_text('cuts: [{tool: "router:0.006", place: 0.02, depth: 5e-4}]')
+        decks = [workshop.deck(self.output, name, workshop.WOOD, cuts, 0.0) for name, cuts in (("uncut", []), ("cut", [groove]))]
+
+        def lowest(deck):
+            job = program.idiophone("modes", deck, "--modes", 1, "--mass", "consistent", "--no-estimate", "--output-folder", self.output,
+                                    "--json")
+            self.require_status(job, program.FINISHED)
+            return json.loads(job.stdout)["modes"][0]["frequency"]
+
+        uncut, meshed = map(lowest, decks)
+        job = program.idiophone("bench", decks[0], "--target", uncut, "--mode-numbers", 1, "--cuts", made, "--tolerance", 100, "--json")
+        self.require_status(job, program.FINISHED)
+        moved = json.loads(job.stdout)["partials"][0]["computed"]
+        self.assertAlmostEqual(math.log(moved / uncut) / math.log(meshed / uncut), 1, delta=0.04)
 
     def test_drawings_have_the_places_of_the_mesh_and_the_profiles_of_the_cuts(self):
         drawing, made, mesh = (self.output / name for name in ("bar.dxf", "cuts.yaml", "bar.h5"))
@@ -223,7 +267,10 @@ class Bench(program.TestCase):
         self.assertIn("no removal at the side -z reaches the targets", higher)
 
     def test_wrong_options(self):
-        for arguments, message in ((("--tools", "saw:0.01"), "'saw:0.01' is not a tool"), (("--side", "below"), "'below' is not a side"),
+        for arguments, message in ((("--tools", "saw:0.01"), "'saw:0.01' is not a tool"),
+                                   (("--tools", "router:1e-9"), "router:1e-09 does not suit this body, which is 0.36 m long"),
+                                   (("--tools", "sander:0.19"), "its radius must be between 0.0012 and 0.18 m"),
+                                   (("--side", "below"), "'below' is not a side"),
                                    (("--depth-error", "0"), "--depth-error must be above 0"),
                                    (("--measured", BAR, "--tapped-at=nan,0,0"), "--tapped-at must be three finite numbers"),
                                    (("--mode-numbers", "1,2"), "--target has 3 values, but --mode-numbers 2")):

@@ -121,9 +121,8 @@ bench::Beliefs beliefs_of(const BenchOptions& options) {
   return {options.match / 3, options.plan.depth_error, options.plan.slope_error};
 }
 
-/// Says which tools are narrower than the model bears.
-std::vector<bench::Tool> tools_for(const BenchOptions& options, const bench::Workpiece& piece) {
-  std::vector<bench::Tool> tools = bench::read_tools(options.tools);
+/// Doubts tools that are narrower than the model bears, and says so.
+void warn_of_narrow_tools(std::vector<bench::Tool>& tools, const bench::Workpiece& piece) {
   for (const bench::Tool& tool : bench::doubt_narrow_tools(tools, piece.thinnest())) {
     spdlog::warn(
         "{}:{:g} cuts {:.1f} mm wide, and the body is {:.1f} mm thick: such a cut does up to twice what the model "
@@ -131,7 +130,6 @@ std::vector<bench::Tool> tools_for(const BenchOptions& options, const bench::Wor
         "Its slope error counts as {:g} at least, so its cuts are shallower",
         tool.name, tool.radius, 2e3 * tool.radius, 1e3 * piece.thinnest(), tool.slope_error);
   }
-  return tools;
 }
 
 /// The body as it is by the cuts that were asked for, and as it shall be.
@@ -165,15 +163,17 @@ int run_bench(const BenchOptions& options) {
   check_bench(options);
   const fitting::Target target = target_of(options.target);
   const std::vector<int> numbers = modes_to_tune(options.target, target);
-  static_cast<void>(bench::read_tools(options.tools));
+  std::vector<bench::Tool> tools = bench::read_tools(options.tools);
   const scene::Scene scene = bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
   scene::refuse_joints(scene, "bench");
   const scene::Solids solids = scene::Solids(scene).alone(scene::find_body(scene.bodies, options.body));
   mesh::Mesh mesh = mesh::read_mesh(solids.bodies.front());
   const bench::Side side = bench::read_side(options.side, mesh);
+  const auto [low, high] = bench::ends_along(mesh, side);
+  bench::require_suitable_radii(tools, high - low);
   const bench::Past past = past_of(options, mesh, side);
   bench::Workpiece piece(solids, std::move(mesh), side, numbers, options.mass);
-  const std::vector<bench::Tool> tools = tools_for(options, piece);
+  warn_of_narrow_tools(tools, piece);
   const BenchSession session = begin_session(
       piece, {numbers, options.measured.empty() ? options.cuts : options.measured}, past, target, beliefs_of(options));
   const bench::Workpiece::Slopes slopes = piece.slopes_of(session.body, session.body.tuned);

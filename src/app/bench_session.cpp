@@ -78,13 +78,13 @@ BenchSession with_taps(bench::Workpiece& piece, const BenchSubject& subject, con
   doubt_lines(session, piece);
   for (std::size_t p = 0; p < subject.numbers.size(); ++p) {
     const int number = subject.numbers[p];
-    if (!learned.lines[p]) {
+    if (!learned.lines[p] && !learned.is_doubted[p]) {
       throw std::runtime_error(fmt::format("{}: mode {}, computed at {:.1f} Hz, was not measured. {}",
                                            subject.measured.string(), number, learned.computed[p],
                                            session.doubt.empty()
                                                ? "Tap where it moves much, give its line in a YAML file, correct the "
                                                  "deck by `identify`, or allow more by --match"
-                                               : "But " + session.doubt));
+                                               : "Besides, " + session.doubt));
     }
     session.partials.push_back({.mode = number, .computed = learned.computed[p], .line = learned.lines[p]});
   }

@@ -17,7 +17,7 @@ namespace idiophone::app {
 struct BenchPartial {
   int mode = 0;                            ///< its number, from 1 on
   double computed = 0.0;                   ///< Hz, of the deck's body with the cuts
-  std::optional<fitting::Line> line = {};  ///< measured
+  std::optional<fitting::Line> line = {};  ///< measured; none without taps, or where it is doubted
   double wanted = 0.0;                     ///< Hz; of ratios with the first partial's frequency
 
   /// Measured, or else computed, Hz.
@@ -40,7 +40,7 @@ struct BenchSubject {
 };
 
 /// Solves the body with its cuts. Where there are taps, the piece has from then on the material that they tell.
-/// @throws std::runtime_error where a mode was not measured, and what bench::learn() throws
+/// @throws std::runtime_error where a mode was certainly not measured, and what bench::learn() throws
 [[nodiscard]] BenchSession begin_session(bench::Workpiece& piece, const BenchSubject& subject, const bench::Past& past,
                                          const fitting::Target& target, const bench::Beliefs& beliefs);
 

@@ -2,10 +2,13 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <numbers>
 #include <random>
 
 #include "block_mesh.hpp"
+#include "certainty.hpp"
+#include "idiophone/study/bench/cut_drawing.hpp"
 #include "idiophone/study/bench/cut_list.hpp"
 #include "idiophone/study/bench/cut_plan.hpp"
 #include "idiophone/study/bench/cuttable_mesh.hpp"
@@ -37,6 +40,22 @@ TEST(Tools, AreReadOrRefused) {
     EXPECT_THAT(refusal_of_tools({text}), HasSubstr("is not a tool")) << text;
   }
   EXPECT_THAT(refusal_of_tools({}), HasSubstr("needs a tool"));
+}
+
+TEST(Tools, SuitTheBody) {
+  EXPECT_NO_THROW(require_suitable_radii(read_tools({"router:0.00101", "sander:0.15"}), 0.3));
+  const auto refusal = [](const char* tool) -> std::string {
+    try {
+      require_suitable_radii(read_tools({"router:0.006", tool}), 0.3);
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(refusal("router:1e-9"),
+            "--tools: router:1e-09 does not suit this body, which is 0.3 m long: its radius must be between 0.001 and "
+            "0.15 m");
+  EXPECT_THAT(refusal("sander:0.151"), HasSubstr("sander:0.151 does not suit"));
 }
 
 // Karush, Kuhn and Tucker's conditions make the solution certain.
@@ -115,6 +134,48 @@ TEST(CuttableMesh, LosesTheVolumeOfTheCuts) {
   }
   EXPECT_THROW(static_cast<void>(cuttable.with({{{"sander", Profile::hollow, 0.04}, 0.15, 0.015, {}}})),
                std::runtime_error);
+}
+
+// By themselves, the partials would have to keep 9 and 1 cents.
+TEST(Certainty, LeavesTheSameShareOfAllPartialsThatAreOutOfTune) {
+  const PlanOptions options;
+  const Certainty certainty({Eigen::Vector2d(40, -20), Eigen::Vector2d(0.5, 0.5), false}, options);
+  const Eigen::Vector2d spread(6, 2);
+  EXPECT_NEAR((certainty.to_leave(Eigen::Vector2d(40, -20), spread) - Eigen::Vector2d(9, -4.5)).norm(), 0, 1e-12);
+  EXPECT_NEAR((certainty.to_leave(Eigen::Vector2d(40, 2), spread) - Eigen::Vector2d(9, 1)).norm(), 0, 1e-12);
+}
+
+TEST(Certainty, AsksThatNoPartialGoesAway) {
+  const PlanOptions options;
+  const Certainty certainty({Eigen::Vector2d(6, -20), Eigen::Vector2d(0.5, 0.5), false}, options);
+  const Eigen::Vector2d errors(6, -20);
+  EXPECT_TRUE(certainty.are_nearer(Eigen::Vector2d(6, -15), errors));
+  EXPECT_FALSE(certainty.are_nearer(Eigen::Vector2d(7, -5), errors));
+  EXPECT_TRUE(certainty.are_nearer(Eigen::Vector2d(2.9, -15), Eigen::Vector2d(1, -20)));
+  EXPECT_FALSE(certainty.are_nearer(Eigen::Vector2d(6, -20), errors));
+}
+
+// Two blocks with 0.1 m between them.
+TEST(Drawing, NamesTheGapOfABody) {
+  mesh::Mesh mesh = support::block_mesh(element::hex(3, 2), {length, width, height}, {5, 1, 1});
+  const Side side = read_side("", mesh);
+  const std::vector<Cut> cuts = {{{"router", Profile::groove, 0.01}, 0.35, 1e-4, {}}};
+  EXPECT_EQ(profile_of(mesh, side, {}).size(), 32U);
+  const auto count = static_cast<Index>(mesh.nodes.size());
+  for (Index node = 0; node < count; ++node) {
+    mesh.nodes.push_back(mesh.nodes[node] + Vector3(length + 0.1, 0, 0));
+  }
+  const std::vector<mesh::Triangle> surface = mesh.surface;
+  for (const auto& [a, b, c] : surface) {
+    mesh.surface.push_back({a + count, b + count, c + count});
+  }
+  try {
+    static_cast<void>(profile_of(mesh, side, cuts));
+    FAIL() << "the gap is drawn";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(), HasSubstr("nothing of the body lies between x = 0.3 and 0.34 m"));
+  }
+  EXPECT_THROW(static_cast<void>(profile_of(mesh, side, {})), std::runtime_error);
 }
 
 /// A bar of 0.3 m whose two partials fall where it bends and rise at its ends.
@@ -238,6 +299,15 @@ TEST(Plan, EndsWhereThePartialsAreInTune) {
   EXPECT_TRUE(plan.visits.empty());
 }
 
+// At all places that lower the first partial, twice the error of the depth throws it by more than a quarter of its
+// error.
+TEST(Plan, TakesRoughCutsWhereNoGentleOnesAreSafe) {
+  const Plan plan = plan_for({20, 1}, {.deepest = 5e-4});
+  ASSERT_EQ(plan.verdict, Verdict::cut);
+  EXPECT_LT(plan.visits.front().expected[0], 12);
+  expect_safe(plan, 3);
+}
+
 TEST(Plan, SaysWhatIsNotSafe) {
   EXPECT_EQ(plan_for({20, 10}, {.depth_error = 5e-4}).verdict, Verdict::not_safe);
 }
@@ -253,21 +323,17 @@ TEST(Plan, MakesCutsOfDoubtedToolsShallower) {
   EXPECT_GT(plan.visits.front().expected.norm(), plan_for({60, 30}).visits.front().expected.norm());
 }
 
-// This body jumps too far at its first cut, whatever the slopes say; the jump of the other one ends at shallow cuts.
-TEST(Plan, MakesCutsShallowerOrRefusesThemWhereTheSolvedBodyGoesTooFar) {
-  const auto jumping = [](double harmless) -> CutModel {
-    return [harmless](const std::vector<Cut>& cuts) {
-      CutBody body = straight(bar())(cuts);
-      double depth = 0.0;
-      for (const Cut& cut : cuts) {
-        depth = std::max(depth, cut.depth);
-      }
-      if (depth > harmless) {
-        body.moved.array() -= 500;
-      }
-      return body;
-    };
+/// A body that jumps too far at a cut that is deeper than `harmless` (m), whatever the slopes say.
+CutModel jumping(double harmless) {
+  return [harmless](const std::vector<Cut>& cuts) {
+    CutBody body = straight(bar())(cuts);
+    const bool jumps = std::ranges::any_of(cuts, [&](const Cut& cut) { return cut.depth > harmless; });
+    body.moved.array() -= jumps ? 500 : 0;
+    return body;
   };
+}
+
+TEST(Plan, MakesCutsShallowerOrRefusesThemWhereTheSolvedBodyGoesTooFar) {
   const Partials partials{Eigen::Vector2d(60, 30), Eigen::Vector2d(0.5, 0.5), false};
   const Plan never = plan_cuts(jumping(0), both_tools, partials, {});
   EXPECT_EQ(never.verdict, Verdict::not_safe);
@@ -277,6 +343,16 @@ TEST(Plan, MakesCutsShallowerOrRefusesThemWhereTheSolvedBodyGoesTooFar) {
   expect_safe(shallow, 3);
   const Plan careful = plan_for({20, 10}, {.depth_error = 5e-4});
   EXPECT_TRUE(careful.is_settled);
+}
+
+// No cut by the doubted tool is allowed, so it is the solved body that refuses the cuts.
+TEST(Plan, RemembersThatTheSolvedBodyRefusedCutsOfTheFirstTools) {
+  std::vector<Tool> tools = both_tools;
+  tools[0].slope_error = 50.0;
+  const Partials partials{Eigen::Vector2d(60, 30), Eigen::Vector2d(0.5, 0.5), false};
+  const Plan plan = plan_cuts(jumping(0), tools, partials, {});
+  EXPECT_EQ(plan.verdict, Verdict::not_safe);
+  EXPECT_FALSE(plan.is_settled);
 }
 
 TEST(Plan, SaysWhatIsOutOfReach) {

@@ -35,10 +35,6 @@ bool Candidates::is_doubted(Index candidate) const {
   return candidates_[static_cast<std::size_t>(candidate)].tool.slope_error > 0;
 }
 
-bool Candidates::has_doubted() const {
-  return std::ranges::any_of(candidates_, [](const Candidate& candidate) { return candidate.tool.slope_error > 0; });
-}
-
 bool Candidates::overlap(Index one, Index other) const {
   const Candidate& a = candidates_[static_cast<std::size_t>(one)];
   const Candidate& b = candidates_[static_cast<std::size_t>(other)];

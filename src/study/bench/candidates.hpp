@@ -19,9 +19,6 @@ class Candidates {
   /// Whether it is a cut by a tool that the model bears less than others (doubt_narrow_tools()).
   [[nodiscard]] bool is_doubted(Eigen::Index candidate) const;
 
-  /// Whether any of them is such a cut.
-  [[nodiscard]] bool has_doubted() const;
-
   /// Whether two of them take material from the same place.
   [[nodiscard]] bool overlap(Eigen::Index one, Eigen::Index other) const;
 

@@ -43,7 +43,10 @@ VectorXd Certainty::after(const std::vector<Cut>& cuts) const {
 }
 
 VectorXd Certainty::to_leave(const VectorXd& errors, const VectorXd& spread) const {
-  const ArrayXd rest = (certain * spread - limits_).array().max(0.0).min(errors.array().abs());
+  const ArrayXd ways = errors.array().abs();
+  ArrayXd rest = (certain * spread - limits_).array().max(0.0).min(ways);
+  const double share = (ways > limits_.array()).select(rest / ways, 0.0).maxCoeff();
+  rest = rest.max(share * ways);
   return (errors.array() > 0).select(rest, -rest);
 }
 
@@ -54,10 +57,15 @@ VectorXd Certainty::too_far(const VectorXd& errors, const VectorXd& expected, co
   return (passed > nothing).select(up * passed, 0.0);
 }
 
-bool Certainty::is_gentle(const VectorXd& slopes, const VectorXd& errors) const {
+bool Certainty::are_nearer(const VectorXd& expected, const VectorXd& errors) const {
+  const ArrayXd most = errors.array().abs().max(limits_.array());
+  return expected.norm() < errors.norm() && (expected.array().abs() <= most).all();
+}
+
+bool Certainty::is_gentle(const VectorXd& slopes, const VectorXd& errors, double roughness) const {
   constexpr double share = 0.25;  // of the error
   const ArrayXd thrown = certain * options_.depth_error * slopes.array().abs();
-  return (thrown <= limits_.array().max(share * errors.array().abs())).all();
+  return (thrown <= roughness * limits_.array().max(share * errors.array().abs())).all();
 }
 
 }  // namespace idiophone::bench

@@ -26,7 +26,8 @@ class Certainty {
   /// Standard deviations of the errors after some cuts. Slopes of different partials are wrong independently.
   [[nodiscard]] Eigen::VectorXd after(const std::vector<Cut>& cuts) const;
 
-  /// What must be left of the errors, so that a spread does not pass a target by more than allowed. [partials] cents
+  /// What must be left of the errors, so that a spread does not pass a target by more than allowed. All partials that
+  /// are out of tune keep the same share, so that what is left of the same cuts does the rest. [partials] cents
   [[nodiscard]] Eigen::VectorXd to_leave(const Eigen::VectorXd& errors, const Eigen::VectorXd& spread) const;
 
   /// By how much targets may be passed more than allowed, in the direction in which they are passed; zero of cuts that
@@ -34,9 +35,13 @@ class Certainty {
   [[nodiscard]] Eigen::VectorXd too_far(const Eigen::VectorXd& errors, const Eigen::VectorXd& expected,
                                         const Eigen::VectorXd& spread) const;
 
+  /// Whether errors become less together, and none of a partial that is out of tune becomes more.
+  [[nodiscard]] bool are_nearer(const Eigen::VectorXd& expected, const Eigen::VectorXd& errors) const;
+
   /// Whether the error of the depth of a cut matters little beside what a partial may be wrong, or is wrong now.
-  /// @param slopes  of its intervals, cents/m
-  [[nodiscard]] bool is_gentle(const Eigen::VectorXd& slopes, const Eigen::VectorXd& errors) const;
+  /// @param slopes     of its intervals, cents/m
+  /// @param roughness  how many times as much as a gentle cut it may matter
+  [[nodiscard]] bool is_gentle(const Eigen::VectorXd& slopes, const Eigen::VectorXd& errors, double roughness) const;
 
  private:
   const PlanOptions& options_;

@@ -28,6 +28,16 @@ struct Ends {
   double low, high;
 };
 
+void check_width(const Tool& tool, const Node& node, const Ends& ends, Mistakes& mistakes) {
+  const double least = suitable_radii(ends.high - ends.low).least;
+  if (tool.radius < least) {
+    mistakes.add(node,
+                 fmt::format("the cut is narrower than the plan resolves on this body: the radius of its tool must "
+                             "be at least {:.4g} m",
+                             least));
+  }
+}
+
 }  // namespace
 
 static bool read(const Node& node, Mistakes& mistakes, Cut& cut, const Ends& ends) {
@@ -36,6 +46,7 @@ static bool read(const Node& node, Mistakes& mistakes, Cut& cut, const Ends& end
   if (section.required("tool", tool)) {
     try {
       cut.tool = read_tools({tool}).front();
+      check_width(cut.tool, *section.find("tool"), ends, mistakes);
     } catch (const std::runtime_error&) {
       mistakes.add(*section.find("tool"),
                    fmt::format("'{}' is not a tool: write router:RADIUS or sander:RADIUS", tool));

@@ -2,6 +2,14 @@
 
 namespace idiophone::bench {
 
+double modelled_depth(const Cut& cut) {
+  return cut.tool.profile == Profile::groove ? cut.depth * (1 + cut.depth / cut.tool.radius) : cut.depth;
+}
+
+double modelled_depth_slope(const Cut& cut) {
+  return cut.tool.profile == Profile::groove ? 1 + 2 * cut.depth / cut.tool.radius : 1.0;
+}
+
 double depth_of(const std::vector<Cut>& cuts, double along) {
   double depth = 0.0;
   for (const Cut& cut : cuts) {

@@ -1,5 +1,6 @@
 #include "idiophone/study/bench/cut_plan.hpp"
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <optional>
@@ -17,8 +18,14 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Whether cuts of doubted tools may be chosen. They are where no others are safe.
-enum class Doubted { refused, allowed };
+/// Which candidates may be chosen.
+struct Choice {
+  bool has_doubted;  ///< those of doubted tools, too
+  double roughness;  ///< as of Certainty::is_gentle()
+};
+
+/// Each counts where those before it have no safe cuts.
+constexpr std::array<Choice, 4> choices = {{{false, 1.0}, {true, 1.0}, {true, 2.0}, {true, 4.0}}};
 
 /// Cuts of one visit, and the body with them.
 struct Trial {
@@ -90,12 +97,13 @@ class Planner {
   }
 
   /// [partials x candidates] by which those that may be made move the errors, cents/m; zero for all others
-  [[nodiscard]] MatrixXd allowed(const MatrixXd& slopes, const VectorXd& errors, Doubted doubted) const {
+  [[nodiscard]] MatrixXd allowed(const MatrixXd& slopes, const VectorXd& errors, const Choice& choice) const {
     MatrixXd moves = certainty_.of_intervals(slopes);
     for (Eigen::Index c = 0; c < moves.cols(); ++c) {
       const bool does_little = options_.deepest * moves.col(c).cwiseAbs().maxCoeff() < options_.tolerance / 2;
-      const bool is_refused = doubted == Doubted::refused && candidates_.is_doubted(c);
-      if (is_refused || does_little || !certainty_.is_gentle(moves.col(c), errors)) {
+      const bool is_refused = !choice.has_doubted && candidates_.is_doubted(c);
+      const bool is_rough = !certainty_.is_gentle(moves.col(c), errors, choice.roughness);
+      if (is_refused || is_rough || does_little) {
         moves.col(c).setZero();
       }
     }
@@ -118,7 +126,8 @@ class Planner {
       std::vector<Cut> cuts =
           candidates_.cuts(slopes, depths_for(moves, left - from, options_.deepest), options_.depth_error);
       const VectorXd expected = from + certainty_.of_intervals(sum_of(cuts, errors.size()));
-      if (expected.norm() < least && certainty_.too_far(errors, expected, certainty_.after(cuts)).isZero()) {
+      if (expected.norm() < least && certainty_.are_nearer(expected, errors) &&
+          certainty_.too_far(errors, expected, certainty_.after(cuts)).isZero()) {
         least = expected.norm();
         best = std::move(cuts);
       }
@@ -129,8 +138,12 @@ class Planner {
   /// The next visit; none where no cut is safe, or a later one leaves the model, whose tap will tell.
   std::optional<Visit> visit_within_model(const VectorXd& errors) {
     try {
-      std::optional<Visit> visit = next_visit(errors, Doubted::refused);
-      return visit || !candidates_.has_doubted() ? std::move(visit) : next_visit(errors, Doubted::allowed);
+      for (const Choice& choice : choices) {
+        if (std::optional<Visit> visit = next_visit(errors, choice)) {
+          return visit;
+        }
+      }
+      return {};
     } catch (const OutsideOfModel& outside) {
       if (plan_.visits.empty()) {
         throw OutsideOfModel(std::string("the next cuts can't be planned: ") + outside.what());
@@ -162,22 +175,23 @@ class Planner {
   }
 
   [[nodiscard]] bool is_good(const Trial& trial, const VectorXd& errors) const {
-    return too_far(trial, errors).isZero() && trial.visit.expected.norm() < errors.norm();
+    return too_far(trial, errors).isZero() && certainty_.are_nearer(trial.visit.expected, errors);
   }
 
   Visit adopt(Trial trial) {
     made_ = std::move(trial.all);
     body_ = std::move(trial.body);
+    plan_.is_settled = true;
     return std::move(trial.visit);
   }
 
   /// The cuts of one visit: chosen by slopes, then made deeper or less deep by slopes half-way between the body before
   /// and after them. Where the rounds do not end, the cuts become shallower until they are safe.
-  std::optional<Visit> next_visit(const VectorXd& errors, Doubted doubted) {
+  std::optional<Visit> next_visit(const VectorXd& errors, const Choice& choice) {
     constexpr int most_rounds = 5;
     const MatrixXd before = candidates_.slopes(body_.strips);
     MatrixXd slopes = before;
-    MatrixXd moves = allowed(before, errors, doubted);
+    MatrixXd moves = allowed(before, errors, choice);
     VectorXd beside = VectorXd::Zero(errors.size());
     VectorXd margin = beside;
     std::vector<Cut> cuts;
@@ -200,12 +214,11 @@ class Planner {
   }
 
   std::optional<Visit> shallower_visit(std::vector<Cut> cuts, const MatrixXd& before, const VectorXd& errors) {
-    plan_.is_settled = cuts.empty();
+    plan_.is_settled = plan_.is_settled && cuts.empty();
     constexpr double share = 0.6;
     while (!(cuts = shallower(cuts, share, options_.depth_error)).empty()) {
       Trial trial = tried(cuts, before, errors);
       if (is_good(trial, errors)) {
-        plan_.is_settled = true;
         return adopt(std::move(trial));
       }
     }

@@ -12,7 +12,6 @@ namespace idiophone::bench {
 
 namespace {
 
-constexpr int strip_count = 600;
 constexpr double least_facing = 0.5;  // cosine of 60 degrees
 
 /// A corner of a triangle: its place, and slopes of all modes there.
@@ -111,13 +110,13 @@ Strips strips_of(const mesh::Mesh& mesh, const eigenmodes::RemovalSlopes& remova
   const Eigen::AlignedBox3d box = box_of(mesh);
   const double low = box.min()[side.along];
   Strips strips;
-  strips.width = box.sizes()[side.along] / strip_count;
+  strips.width = box.sizes()[side.along] / Strips::count;
   strips.thickness = box.sizes()[side.facing];
-  for (int strip = 0; strip < strip_count; ++strip) {
+  for (int strip = 0; strip < Strips::count; ++strip) {
     strips.places.push_back(low + (strip + 0.5) * strips.width);
   }
   const auto modes = static_cast<Eigen::Index>(removal.slopes.size());
-  strips.slopes = Eigen::MatrixXd::Zero(modes, strip_count);
+  strips.slopes = Eigen::MatrixXd::Zero(modes, Strips::count);
   std::vector<Index> place_of(mesh.nodes.size(), -1);  // of a node in the lists of `removal`
   for (std::size_t i = 0; i < removal.nodes.size(); ++i) {
     place_of[removal.nodes[i]] = static_cast<Index>(i);

@@ -1,6 +1,7 @@
 #include "idiophone/study/bench/learning.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -17,6 +18,22 @@ constexpr double certain = 0.99;
 Estimate estimate_of(const TapHypothesis& hypothesis, Eigen::Index unknown, std::string name) {
   return {std::move(name), hypothesis.unknowns[unknown],
           std::sqrt(std::max(0.0, hypothesis.covariance(unknown, unknown)))};
+}
+
+/// Takes the constants that the taps tell. They are estimates by slopes, which know no bounds, so they go only as far
+/// as the material stays stable.
+void learn_constants(Learned& learned, const scene::Material& material, const TapHypothesis& hypothesis,
+                     const TapUnknowns& unknowns) {
+  if (unknowns.constants.empty()) {
+    return;
+  }
+  const Eigen::VectorXd moves =
+      fitting::stable_part(material, hypothesis.unknowns.segment(unknowns.constant(0), std::ssize(unknowns.constants)));
+  for (std::size_t c = 0; c < unknowns.constants.size(); ++c) {
+    learned.constants.push_back(estimate_of(hypothesis, unknowns.constant(c), unknowns.constants[c]));
+    learned.constants.back().expected = moves[static_cast<Eigen::Index>(c)];
+  }
+  learned.material = fitting::moved(material, moves);
 }
 
 /// The cuts with the depths that they have.
@@ -57,17 +74,16 @@ Learned learn(const Workpiece& piece, const std::vector<Cut>& made, const std::v
   if (certainness.probability < certain && certainness.rival != nullptr) {
     learned.doubt = doubt_between(best, *certainness.rival, certainness.mode, lines);
   }
-  for (std::size_t c = 0; c < unknowns.constants.size(); ++c) {
-    learned.constants.push_back(estimate_of(best, unknowns.constant(c), unknowns.constants[c]));
+  for (const std::size_t mode : tuned) {
+    const bool is_named = learned.doubt && learned.doubt->mode == mode;
+    const std::array<std::size_t, 1> alone = {mode};
+    learned.is_doubted.push_back(is_named || certainness_of(hypotheses, alone, lines).probability < certain);
   }
+  learn_constants(learned, piece.material(), best, unknowns);
   for (std::size_t c = 0; c < made.size(); ++c) {
     learned.depths.push_back(estimate_of(best, unknowns.depth(c), {}));
   }
   learned.cuts = real_cuts(made, learned.depths, best.unknowns[TapUnknowns::thickness], expectations.strips());
-  if (!unknowns.constants.empty()) {
-    learned.material =
-        fitting::moved(piece.material(), best.unknowns.segment(unknowns.constant(0), std::ssize(unknowns.constants)));
-  }
   return learned;
 }
 

@@ -39,6 +39,20 @@ Slice slice_at(const mesh::Mesh& mesh, const TrianglesAlong& surface, const Side
   return slice;
 }
 
+/// Refuses a body of which nothing lies between two neighbouring stations.
+void require_no_gap(const mesh::Mesh& mesh, const TrianglesAlong& surface, const Side& side,
+                    const std::vector<double>& stations) {
+  for (std::size_t s = 1; s < stations.size(); ++s) {
+    const Slice slice = slice_at(mesh, surface, side, (stations[s - 1] + stations[s]) / 2);
+    if (slice.low > slice.high) {
+      throw std::runtime_error(
+          fmt::format("--dxf draws one outline, but nothing of the body lies between {} = {:.4g} and {:.4g} m: leave "
+                      "--dxf out",
+                      axis_name(side), stations[s - 1], stations[s]));
+    }
+  }
+}
+
 /// Places where the profile bends or jumps, ascending.
 std::vector<double> stations_of(const mesh::Mesh& mesh, const Side& side, const std::vector<Cut>& cuts) {
   constexpr int pieces = 32;  // of a hollow
@@ -77,7 +91,9 @@ Profile2 profile_of(const mesh::Mesh& mesh, const Side& side, const std::vector<
     }
     cut_side.push_back({station, height});
   };
-  for (const double station : stations_of(mesh, side, cuts)) {
+  const std::vector<double> stations = stations_of(mesh, side, cuts);
+  require_no_gap(mesh, surface, side, stations);
+  for (const double station : stations) {
     const Slice slice = slice_at(mesh, surface, side, station);
     const double before = depth_of(cuts, station - 2 * beside), after = depth_of(cuts, station + 2 * beside);
     add(slice, station, before);

@@ -73,7 +73,8 @@ void TapExpectations::set_mode(ExpectedTap& expected, std::size_t mode, const Wo
   expected.heard[mode] = probability_of(body, piece_.side(), place, tap);
   expected.slopes(row, TapUnknowns::thickness) = strips_.slopes.row(of_body).sum();
   for (std::size_t cut = 0; cut < tap.cuts; ++cut) {
-    expected.slopes(row, unknowns_.depth(cut)) = slopes_of(strips_, made_[cut].tool, made_[cut].place)[of_body];
+    expected.slopes(row, unknowns_.depth(cut)) =
+        modelled_depth_slope(made_[cut]) * slopes_of(strips_, made_[cut].tool, made_[cut].place)[of_body];
   }
 }
 

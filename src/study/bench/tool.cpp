@@ -9,6 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "idiophone/study/bench/cut_side.hpp"
+
 namespace idiophone::bench {
 
 namespace {
@@ -49,6 +51,23 @@ std::vector<Tool> read_tools(const std::vector<std::string>& texts) {
     throw std::runtime_error("--tools needs a tool, e.g. router:0.006");
   }
   return tools;
+}
+
+Radii suitable_radii(double length) {
+  constexpr double fewest_strips = 4;  // in a cut
+  return {fewest_strips / 2 * length / Strips::count, length / 2};
+}
+
+void require_suitable_radii(const std::vector<Tool>& tools, double length) {
+  const auto [least, most] = suitable_radii(length);
+  for (const Tool& tool : tools) {
+    if (tool.radius < least || tool.radius > most) {
+      throw std::runtime_error(
+          fmt::format("--tools: {}:{:g} does not suit this body, which is {:.4g} m long: its radius must be between "
+                      "{:.4g} and {:.4g} m",
+                      tool.name, tool.radius, length, least, most));
+    }
+  }
 }
 
 std::vector<Tool> doubt_narrow_tools(std::vector<Tool>& tools, double thinnest) {

@@ -73,7 +73,11 @@ Workpiece::Solved Workpiece::with(const std::vector<Cut>& cuts) const {
   if (cuts.empty() && is_of_deck_) {
     return uncut_;
   }
-  Solved result = solve(mesh_.with(cuts));
+  std::vector<Cut> modelled = cuts;
+  for (Cut& cut : modelled) {
+    cut.depth = modelled_depth(cut);
+  }
+  Solved result = solve(mesh_.with(modelled));
   const Eigen::MatrixXd cosines = directions_of(uncut_.modes).transpose() * directions_of(result.modes);
   result.places = fitting::recognise(cosines.cwiseAbs2()).modes;
   for (const std::size_t mode : uncut_.tuned) {

@@ -40,6 +40,17 @@ MaterialSlopes material_slopes(const scene::Solids& solids, const mesh::Part& pa
   return slopes;
 }
 
+Eigen::VectorXd stable_part(const scene::Material& material, const Eigen::VectorXd& amounts) {
+  constexpr int parts = 10;
+  for (int part = parts; part > 0; --part) {
+    Eigen::VectorXd less = part / static_cast<double>(parts) * amounts;
+    if (is_stable(moved(material, less))) {
+      return less;
+    }
+  }
+  return Eigen::VectorXd::Zero(amounts.size());
+}
+
 scene::Material moved(const scene::Material& material, const Eigen::VectorXd& amounts) {
   const ElasticConstants constants = elastic_constants(material, {});
   return with_unknowns(constants, material, unknowns(constants, material) + amounts);

@@ -17,7 +17,7 @@ using Profile2 = std::vector<std::array<double, 2>>;
 /// The silhouette of a body with some cuts, seen across its side. Between the sections of its mesh it is straight. Cuts
 /// have the profiles of their tools: sharp edges of grooves, and hollows by 32 straight pieces.
 /// @param mesh  of the body without these cuts
-/// @throws std::runtime_error where a cut goes through the body
+/// @throws std::runtime_error where a cut goes through the body, or the body has a gap along the side
 [[nodiscard]] Profile2 profile_of(const mesh::Mesh& mesh, const Side& side, const std::vector<Cut>& cuts);
 
 /// A closed line on a layer of a drawing.

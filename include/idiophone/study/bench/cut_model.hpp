@@ -19,6 +19,14 @@ struct Cut {
   Eigen::VectorXd cents;  ///< [partials] by which it moves them; empty of a cut that was made earlier
 };
 
+/// The depth of a cut in a model whose nodes move with it, m. Material beside the edges of a groove is relieved, as if
+/// the groove were deeper: by the share depth/radius, fitted to bodies that were meshed with grooves that are wider
+/// than the body is thick (docs/use/bench.md, Limits). A hollow has no edges.
+[[nodiscard]] double modelled_depth(const Cut& cut);
+
+/// Derivative of modelled_depth() by the depth.
+[[nodiscard]] double modelled_depth_slope(const Cut& cut);
+
 /// Depth of some cuts together at a place along the body, m.
 [[nodiscard]] double depth_of(const std::vector<Cut>& cuts, double along);
 

@@ -38,6 +38,8 @@ struct Side {
 
 /// What material that is removed from strips of a side does to modes. Strips lie across the side, one beside the other.
 struct Strips {
+  static constexpr int count = 600;
+
   /// The ends of the body along it, m.
   [[nodiscard]] double low() const { return places.front() - width / 2; }
   [[nodiscard]] double high() const { return places.back() + width / 2; }

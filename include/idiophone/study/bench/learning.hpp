@@ -40,11 +40,14 @@ struct Learned {
   std::vector<double> computed;                     ///< [partials] Hz, of the deck's body with the asked cuts
   double probability = 1.0;                         ///< that these are their lines
   std::optional<Doubt> doubt;                       ///< where that is less than 99 %
-  std::vector<Estimate> constants;                  ///< of the material; none of a body of several
-  std::vector<Estimate> depths;                     ///< [cuts] above those that were asked
-  std::vector<Cut> cuts;                            ///< with the depths that they have, and one that makes the body as
-                                                    ///< thick as it is
-  std::optional<scene::Material> material;          ///< with the constants that it has
+  std::vector<bool> is_doubted;             ///< [partials] whether it is less than 99 % certain which line it has,
+                                            ///< or that it has none
+  std::vector<Estimate> constants;          ///< of the material, which stays stable; none of a body of
+                                            ///< several
+  std::vector<Estimate> depths;             ///< [cuts] above those that were asked
+  std::vector<Cut> cuts;                    ///< with the depths that they have, and one that makes the body as
+                                            ///< thick as it is
+  std::optional<scene::Material> material;  ///< with the constants that it has
 };
 
 /// Unknown are a common shift of all modes, the thickness of the body, the constants of its material, a deviation of

@@ -24,6 +24,18 @@ struct Tool {
 /// @throws std::runtime_error for another text, or none
 [[nodiscard]] std::vector<Tool> read_tools(const std::vector<std::string>& texts);
 
+/// Radii of tools for a body, m.
+struct Radii {
+  double least;  ///< of cuts that are four strips wide, the narrowest that a plan resolves
+  double most;   ///< of a cut as long as the body
+};
+
+/// @param length  m, of the body along the side that is cut
+[[nodiscard]] Radii suitable_radii(double length);
+
+/// @throws std::runtime_error for a tool whose radius does not suit a body of this length (m)
+void require_suitable_radii(const std::vector<Tool>& tools, double length);
+
 /// Tools whose cuts are narrower than the body is thick get a slope error: nodes that move give narrow cuts less than
 /// their effect, because they do not relieve the material beside them (docs/use/bench.md, Limits).
 /// @param thinnest  m, of the body

@@ -25,6 +25,10 @@ struct MaterialSlopes {
 [[nodiscard]] MaterialSlopes material_slopes(const scene::Solids& solids, const mesh::Part& part,
                                              const std::vector<eigenmodes::Mode>& modes);
 
+/// As much of some amounts as leaves the material stable: the greatest tenth of all of them at which every strain costs
+/// energy. Nothing is left of them where the material itself is not stable. [constants]
+[[nodiscard]] Eigen::VectorXd stable_part(const scene::Material& material, const Eigen::VectorXd& amounts);
+
 /// The material with its unknowns moved by some amounts. [constants]
 [[nodiscard]] scene::Material moved(const scene::Material& material, const Eigen::VectorXd& amounts);
 
