@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 #include "near_pairs.hpp"
 #include "overlapping_blocks.hpp"
 #include "ranks.hpp"
@@ -64,6 +67,43 @@ TEST(NearPairs, MissNoOverlapOfSidesThatMove) {
     most = std::max(most, all.cells().size());
   }
   EXPECT_GT(most, 50U);
+}
+
+/// One tetrahedron.
+struct Single {
+  explicit Single(const std::array<Vector3, 4>& corners)
+      : skin{.nodes = {0, 1, 2, 3},
+             .areas = std::vector<double>(4, 1.0),
+             .cells = {{0, 1, 2, 3}},
+             .exterior = {{1, 1, 1, 1}},
+             .thinnest = 0.2},
+        side(skin) {
+    std::ranges::copy(corners, side.position.begin());
+  }
+  Skin skin;
+  Side side;
+};
+
+TEST(NearPairs, MissNoCornerThatMovesInsideOfItsCellsBox) {
+  const Vector3 up = Vector3(1, -1, 1), aside(1, 1, 0), across = up.cross(aside) / 3;
+  Single still({0.45 * up, 0.25 * up + 0.1 * aside, 0.25 * up - 0.1 * aside + 0.1 * across,
+                0.25 * up - 0.1 * aside - 0.1 * across});
+  Single moving({0.05 * up, Vector3(-1, -1, 0), Vector3(1, 0, -1), Vector3(0, 1, 1)});  // three corners span the box
+  for (Single* one : {&still, &moving}) {
+    if (one->side.tetrahedron(0).volume < 0) {
+      std::swap(one->side.position[2], one->side.position[3]);
+    }
+  }
+  NearPairs pairs(still.side, &moving.side, nullptr);
+  pairs.choose_candidates({0}, {0}, wide);
+  pairs.find();
+  EXPECT_TRUE(pairs.found().empty()) << "the planes of their faces keep them apart";
+  const Box before = moving.side.box(0);
+  moving.side.position[0] = 0.4 * up;
+  ASSERT_TRUE(moving.side.box(0).isApprox(before));
+  pairs.find();
+  EXPECT_EQ(pairs.found().size(), 1U);
+  EXPECT_GT(overlaps_of(pairs, still.side, moving.side).volume(), 0.0);
 }
 
 TEST(NearPairs, OfABodyWithItselfLeaveOutCellsThatItsElementsKeepApart) {

@@ -114,24 +114,38 @@ void NearPairs::find_boxes() {
   }
 }
 
-/// The farthest that sides of boxes have come nearer to each other along any axis, m, or more: what all of them moved
-/// together does not count.
+std::vector<Vector3> NearPairs::corners(std::size_t partner) const {
+  std::vector<Vector3> all;
+  if (const Side* const side = partner == 0 ? first_ : second_) {
+    for (const Index cell : cells_.at(partner)) {
+      std::ranges::transform(side->skin.cells[cell], std::back_inserter(all),
+                             [side](Index node) { return side->position[node]; });
+    }
+  }
+  return all;
+}
+
+/// The farthest that corners have come nearer to each other along any axis, m, or more: what all of them moved together
+/// does not count. Boxes do not tell it: a corner inside of its cell's box can move without it.
 double NearPairs::way_since_chosen() const {
   Box ways;
+  if (shape_ != nullptr) {
+    ways.extend(Vector3(Vector3::Zero()));  // it stays
+  }
   for (std::size_t s = 0; s < 2; ++s) {
-    if (chosen_.at(s).size() != boxes_.at(s).size()) {
+    const std::vector<Vector3> now = corners(s);
+    if (chosen_.at(s).size() != now.size()) {
       return std::numeric_limits<double>::infinity();
     }
-    for (std::size_t place = 0; place < boxes_.at(s).size(); ++place) {
-      ways.extend(boxes_.at(s)[place].min() - chosen_.at(s)[place].min());
-      ways.extend(boxes_.at(s)[place].max() - chosen_.at(s)[place].max());
+    for (std::size_t i = 0; i < now.size(); ++i) {
+      ways.extend(now[i] - chosen_.at(s)[i]);
     }
   }
   return ways.isEmpty() ? 0.0 : ways.sizes().maxCoeff();
 }
 
 void NearPairs::choose_close_pairs() {
-  chosen_ = boxes_;
+  chosen_ = {corners(0), corners(1)};
   close_.clear();
   std::optional<SideCell> first;
   Index place = -1;  // of `first`
