@@ -192,6 +192,17 @@ class Contact(program.TestCase):
                                 "time.duration=1e-3")
         self.assertRegex(said, r"clack: parts of fork overlap at the start, .* m3 around \(1\.")
 
+    def test_what_contacts_do_to_a_step_is_named(self):
+        stiff = "contacts.rest.stiffness=1e24"
+        law = "contacts.rest.friction={type: elasto_plastic, stiffness: 1e12}"
+        for settings, named in (((stiff,), "The stiffness or the damping of contacts.rest"),
+                                ((stiff, "time.steps_per_sample=10"), "The stiffness or the damping of contacts.rest"),
+                                ((law, "time.steps_per_sample=10"), "The bristles of contacts.rest")):
+            with self.subTest(settings=settings):
+                job = program.run("incline", self.output, *(word for setting in settings for word in ("--set", setting)))
+                self.assertNotEqual(job.returncode, program.FINISHED)
+                self.assertIn(named, job.stdout + job.stderr)
+
 
 if __name__ == "__main__":
     unittest.main()

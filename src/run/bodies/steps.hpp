@@ -2,6 +2,7 @@
 // How long the steps of a run are.
 
 #include <optional>
+#include <string>
 
 #include "idiophone/run/bodies/preparation.hpp"
 
@@ -16,6 +17,10 @@ namespace idiophone::bodies {
 
 /// The step that the deck asks for, s.
 [[nodiscard]] std::optional<double> own_step(const scene::Scene& scene);
+
+/// What contacts do to the smallest stable step of the bodies, as a sentence that names them; empty where elements set
+/// that step.
+[[nodiscard]] std::string contact_as_cause(const Preparation& ready);
 
 /// m; see motion::choose_steps_per_sample.
 [[nodiscard]] int find_steps_per_sample(const Preparation& ready);

@@ -19,7 +19,11 @@
 namespace idiophone::motion {
 
 double InitialState::stable_step() const {
-  return std::ranges::min_element(steps, {}, &StableStep::step)->step;
+  return steps[limiting_body()].step;
+}
+
+std::size_t InitialState::limiting_body() const {
+  return static_cast<std::size_t>(std::ranges::min_element(steps, {}, &StableStep::step) - steps.begin());
 }
 
 double InitialState::highest_loss() const {

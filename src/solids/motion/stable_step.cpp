@@ -131,32 +131,43 @@ void stiffen_by_contact(const scene::Solids& solids, std::optional<double> step,
   const std::vector<double> squares = contact::squared_frequencies(solids, inverse_masses.of_model, contact_surfaces);
   for (std::size_t b = 0; b < steps.size(); ++b) {
     if (squares[b] > 0 && steps[b].is_limited()) {
-      const double w = std::hypot(steps[b].largest_frequency, std::sqrt(squares[b] + bristles[b].square));
-      steps[b].step = largest_step(w, steps[b].damping + relaxation * squares[b] + bristles[b].damping);
+      const double alone = steps[b].step;
+      const auto with = [&](const contact::BristleBounds& more) {
+        const double w = std::hypot(steps[b].largest_frequency, std::sqrt(squares[b] + more.square));
+        return largest_step(w, steps[b].damping + relaxation * squares[b] + more.damping);
+      };
+      steps[b].step = with(bristles[b]);
+      if (steps[b].step < with({}) / 2) {
+        steps[b].cause = StepCause::bristles;
+      } else if (steps[b].step < alone / 2) {
+        steps[b].cause = StepCause::contact;
+      }
     }
   }
 }
 
 namespace {
 
+constexpr std::string_view elements_as_cause =
+    "Small or flat elements, a stiff or light material, and a large damping.stiffness make it short";
+
 /// Names what makes the steps so short.
-[[noreturn]] void refuse_steps(double steps, double stable_step, double steps_for_loss, double highest_loss) {
-  const std::string cause =
+[[noreturn]] void refuse_steps(double steps, double stable_step, double steps_for_loss, double highest_loss,
+                               std::string_view cause) {
+  const std::string reason =
       steps == steps_for_loss
           ? fmt::format("the loss factor holds up to {:.6g} Hz; lower the upper end of the materials' damping.band",
                         highest_loss)
-          : fmt::format(
-                "the largest stable step is {:.3g} s. Small or flat elements, a stiff or light material, and a "
-                "large damping.stiffness make it short",
-                stable_step);
+          : fmt::format("the largest stable step is {:.3g} s. {}", stable_step, cause);
   throw std::runtime_error(fmt::format("the motion needs {:.3g} steps per audio sample, more than {}: {}", steps,
-                                       scene::most_steps_per_sample, cause));
+                                       scene::most_steps_per_sample, reason));
 }
 
 }  // namespace
 
 int choose_steps_per_sample(const scene::Time& time, const scene::Audio& audio, double step, double highest_loss,
-                            int multiple_of) {
+                            int multiple_of, std::string_view cause) {
+  cause = cause.empty() ? elements_as_cause : cause;
   const double period = 1.0 / audio.rate;
   const double steps_for_loss = std::ceil(2 * std::numbers::pi * highest_loss * period);
   if (time.steps_per_sample) {
@@ -164,8 +175,8 @@ int choose_steps_per_sample(const scene::Time& time, const scene::Audio& audio, 
     if (period / wanted > step) {
       throw std::runtime_error(fmt::format(
           "time.steps_per_sample = {} makes a step of {:.4g} s, but the largest stable step is {:.4g} s: give {} "
-          "or more, or leave it out",
-          wanted, period / wanted, step, static_cast<int>(std::ceil(period / (time.safety * step)))));
+          "or more, or leave it out. {}",
+          wanted, period / wanted, step, static_cast<int>(std::ceil(period / (time.safety * step))), cause));
     }
     if (wanted < steps_for_loss) {
       throw std::runtime_error(
@@ -187,7 +198,7 @@ int choose_steps_per_sample(const scene::Time& time, const scene::Audio& audio, 
   }
   const double least = std::max(std::ceil(period / (time.safety * step)), steps_for_loss);
   if (!(least <= scene::most_steps_per_sample)) {
-    refuse_steps(least, step, steps_for_loss, highest_loss);
+    refuse_steps(least, step, steps_for_loss, highest_loss, cause);
   }
   // The surface is to be read at least every 1/(12 f_max), and not much oftener, after a whole number of steps.
   const int reads = static_cast<int>(std::ceil(12 * audio.max_frequency / audio.rate));

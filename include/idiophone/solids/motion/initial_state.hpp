@@ -39,6 +39,8 @@ struct InitialState {
 
   /// The smallest of the bodies' stable steps, s; infinity where all of them are held everywhere.
   [[nodiscard]] double stable_step() const;
+  /// The body that has it.
+  [[nodiscard]] std::size_t limiting_body() const;
   /// The highest frequency at which a body's loss factor is to hold, Hz; 0 where none has one.
   [[nodiscard]] double highest_loss() const;
 };

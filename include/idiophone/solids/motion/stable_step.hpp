@@ -6,6 +6,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "idiophone/scene/settings.hpp"
@@ -54,9 +55,10 @@ void stiffen_by_contact(const scene::Solids& solids, std::optional<double> step,
 /// @param step          the smallest of the bodies' stable steps, s
 /// @param highest_loss  the highest frequency at which a body's loss factor is to hold, Hz; 0 where there is none
 /// @param multiple_of   what m must be a multiple of
+/// @param cause         a sentence about what makes the stable step short, for messages; none: the elements
 /// @throws std::runtime_error when the deck's own number makes the step larger than the stable one or is no such
 /// multiple, saying which would do; when it has none and no body limits the step
 [[nodiscard]] int choose_steps_per_sample(const scene::Time& time, const scene::Audio& audio, double step,
-                                          double highest_loss, int multiple_of = 1);
+                                          double highest_loss, int multiple_of = 1, std::string_view cause = {});
 
 }  // namespace idiophone::motion

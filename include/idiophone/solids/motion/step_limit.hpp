@@ -12,12 +12,17 @@
 
 namespace idiophone::motion {
 
+/// What sets a body's step: its elements, or the stiffness and damping that contacts or their bristles add to them,
+/// which at least halve it.
+enum class StepCause { elements, contact, bristles };
+
 /// What limits one body's step; as it stands here, nothing: all of the body is held.
 struct StableStep {
   double largest_frequency = 0.0;  ///< largest angular eigenfrequency of the undeformed, constrained body's mesh, rad/s
   double damping = 0.0;            ///< 2 zeta w there, 1/s
   double step = std::numeric_limits<double>::infinity();  ///< largest stable dt = (2/w)(sqrt(1 + zeta^2) - zeta), s
-  double highest_loss = 0.0;         ///< up to which the body's loss factor is to hold, Hz; 0 where it has none
+  double highest_loss = 0.0;  ///< up to which the body's loss factor is to hold, Hz; 0 where it has none
+  StepCause cause = StepCause::elements;
   Index element = 0;                 ///< the element that holds most energy of that eigenmode, global number
   Vector3 centre = Vector3::Zero();  ///< its centre, m
 
