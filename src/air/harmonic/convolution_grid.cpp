@@ -8,6 +8,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "idiophone/foundation/bounding_box.hpp"
+
 namespace idiophone::harmonic {
 
 namespace {
@@ -64,10 +66,7 @@ Grid grid_about(std::span<const Vector3> points, double longest_edge, double wav
   const double wave_length = 2.0 * std::numbers::pi / wave_number;
   grid.spacing = std::clamp(wave_length / nodes_in_wave_length, longest_edge / 2.5, longest_edge / 1.5);
   grid.reach = static_cast<int>(std::ceil(longest_edge / grid.spacing + 0.5 - 1e-9));
-  Eigen::AlignedBox3d box;
-  for (const Vector3& point : points) {
-    box.extend(point);
-  }
+  const Eigen::AlignedBox3d box = bounding_box(points);
   grid.origin = box.min() - Vector3::Constant((grid.reach + 1) * grid.spacing);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     grid.nodes.at(axis) = static_cast<int>(std::ceil(box.sizes()[axis] / grid.spacing)) + 2 * grid.reach + 3;

@@ -10,6 +10,7 @@
 #include "harmonic_kirchhoff.hpp"
 #include "idiophone/air/harmonic/listener_pressures.hpp"
 #include "idiophone/air/harmonic/sphere_rule.hpp"
+#include "idiophone/foundation/bounding_box.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/gather.hpp"
 #include "idiophone/foundation/parallel/reduce.hpp"
@@ -48,11 +49,8 @@ harmonic::Radiation facts_of(const scene::Acoustics& acoustics, std::size_t part
   facts.parts = surface.parts;
   facts.first_triangle = surface.first_triangle;
   facts.surfaces = {surface.boundary};
-  Eigen::AlignedBox3d box;
-  for (const Vector3& vertex : surface.boundary.vertices) {
-    box.extend(vertex);
-  }
-  const double phase = 2.0 * std::numbers::pi * highest / acoustics.radiation.air.speed * box.diagonal().norm() / 2.0;
+  const double diameter = bounding_box(surface.boundary.vertices).diagonal().norm();
+  const double phase = 2.0 * std::numbers::pi * highest / acoustics.radiation.air.speed * diameter / 2.0;
   constexpr double fewest_rings = 16, most_rings = 64;
   facts.rings = std::lround(std::clamp(std::ceil(phase) + 6.0, fewest_rings, most_rings));
   harmonic::SphereRule sphere = harmonic::sphere_rule(static_cast<unsigned>(facts.rings));

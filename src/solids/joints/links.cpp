@@ -8,6 +8,7 @@
 
 #include "anchor.hpp"
 #include "facing_surface.hpp"
+#include "idiophone/foundation/bounding_box.hpp"
 #include "idiophone/foundation/deck/location.hpp"
 
 namespace idiophone::joints {
@@ -28,19 +29,13 @@ double distance_to(const Faces& faces, const Vector3& place) {
   return std::max(0.0, least);
 }
 
-double size_of(const mesh::Mesh& mesh) {
-  Eigen::AlignedBox3d box;
-  std::ranges::for_each(mesh.nodes, [&](const Vector3& node) { box.extend(node); });
-  return box.diagonal().norm();
-}
-
 /// A spring may be long: its place need not be near both surfaces.
 void require_place_near(const scene::Joint& joint, const std::vector<mesh::Mesh>& meshes) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const scene::JoinedSurface& surface : joint.surfaces) {
     const mesh::Mesh& mesh = meshes[surface.body];
     const double distance = distance_to(faces_of(surface, joint.name, mesh, 0), joint.place->at);
-    if (distance <= farthest_place * size_of(mesh)) {
+    if (distance <= farthest_place * bounding_box(mesh.nodes).diagonal().norm()) {
       return;
     }
     nearest = std::min(nearest, distance);

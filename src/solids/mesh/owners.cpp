@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "idiophone/foundation/bounding_box.hpp"
 #include "idiophone/foundation/disjoint_sets.hpp"
 #include "idiophone/foundation/each_once.hpp"
 #include "metis_partition.hpp"
@@ -101,14 +102,6 @@ ElementLists element_lists(const std::vector<Mesh>& meshes, const Offsets& first
   return lists;
 }
 
-Eigen::AlignedBox3d bounds(const Mesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Vector3& node : mesh.nodes) {
-    box.extend(node);
-  }
-  return box;
-}
-
 Index nearest_node(const Mesh& mesh, const Vector3& place) {
   const auto distance = [&](const Vector3& node) { return (node - place).squaredNorm(); };
   return static_cast<Index>(std::ranges::min_element(mesh.nodes, {}, distance) - mesh.nodes.begin());
@@ -120,7 +113,7 @@ void link_close_bodies(const std::vector<Mesh>& meshes, const Offsets& first, co
                        ElementLists& lists) {
   constexpr double close = 0.1;  // distance over the size of a body
   std::vector<Eigen::AlignedBox3d> boxes;
-  std::ranges::transform(meshes, std::back_inserter(boxes), bounds);
+  std::ranges::transform(meshes, std::back_inserter(boxes), [](const Mesh& mesh) { return bounding_box(mesh.nodes); });
   for (std::size_t a = 0; a < meshes.size(); ++a) {
     for (std::size_t b = a + 1; b < meshes.size(); ++b) {
       const double size = std::min(boxes[a].sizes().maxCoeff(), boxes[b].sizes().maxCoeff());

@@ -5,6 +5,7 @@
 
 #include "checks.hpp"
 #include "hash.hpp"
+#include "idiophone/foundation/bounding_box.hpp"
 #include "idiophone/solids/mesh/faces.hpp"
 #include "idiophone/solids/mesh/mesh_file.hpp"
 #include "idiophone/solids/mesh/numbered_faces.hpp"
@@ -20,11 +21,7 @@ namespace {
 /// Asks about the unit of length of a part that is too small or too large to be a likely thing; otherwise empty.
 std::string unit_question(const std::vector<Vector3>& nodes) {
   constexpr double shortest = 2e-3, longest = 20.0;  // m
-  Eigen::AlignedBox3d box;
-  for (const Vector3& node : nodes) {
-    box.extend(node);
-  }
-  const double length = nodes.empty() ? 0.0 : box.sizes().maxCoeff();
+  const double length = nodes.empty() ? 0.0 : bounding_box(nodes).sizes().maxCoeff();
   if (nodes.empty() || (length >= shortest && length <= longest)) {
     return "";
   }

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "idiophone/foundation/bounding_box.hpp"
+
 namespace idiophone::mesh {
 
 namespace {
@@ -50,10 +52,7 @@ std::uint64_t hilbert_key(GridCell cell) {
 }
 
 std::vector<std::uint64_t> keys_of(const std::vector<Vector3>& points) {
-  Eigen::AlignedBox3d box;
-  for (const Vector3& point : points) {
-    box.extend(point);
-  }
+  const Eigen::AlignedBox3d box = bounding_box(points);
   const double side = box.sizes().maxCoeff();
   const double scale = side > 0.0 ? ((1U << bits) - 1) / side : 0.0;
   std::vector<std::uint64_t> keys(points.size());

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "idiophone/air/propagation/audio_path.hpp"
+#include "idiophone/foundation/bounding_box.hpp"
 #include "idiophone/foundation/parallel/clock.hpp"
 #include "idiophone/foundation/parallel/reduce.hpp"
 #include "idiophone/foundation/parallel/stages.hpp"
@@ -91,10 +92,8 @@ double touching_step(const bodies::Preparation& ready, const scene::Contact& con
 /// See touching_share; of the body that the contact names first.
 double resting_share(const bodies::Preparation& ready, const scene::Contact& contact,
                      std::span<const Vector3> positions) {
-  Eigen::AlignedBox3d box;
-  for (Index node = ready.offsets.nodes[contact.body]; node < ready.offsets.nodes[contact.body + 1]; ++node) {
-    box.extend(positions[node]);
-  }
+  const Index first = ready.offsets.nodes[contact.body], last = ready.offsets.nodes[contact.body + 1];
+  const Eigen::AlignedBox3d box = bounding_box(positions.subspan(first, last - first));
   double share = 0.0;
   for (const scene::MaterialRegion& region : ready.scene.bodies[contact.body].all_regions()) {
     share = std::max(share, touching_share(ready.scene.materials[region.material], ready.scene.gravity.norm(),

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "idiophone/foundation/bounding_box.hpp"
+
 namespace idiophone::bench {
 
 namespace {
@@ -21,14 +23,6 @@ struct Corner {
 };
 
 using Corners = std::array<Corner, 3>;
-
-Eigen::AlignedBox3d box_of(const mesh::Mesh& mesh) {
-  Eigen::AlignedBox3d box;
-  for (const Vector3& node : mesh.nodes) {
-    box.extend(node);
-  }
-  return box;
-}
 
 Corner between(const Corner& a, const Corner& b) {
   return {(a.place + b.place) / 2, (a.slopes + b.slopes) / 2};
@@ -64,7 +58,7 @@ void add_triangle(const Corners& corners, const Side& side, double low, Strips& 
 }  // namespace
 
 Side read_side(const std::string& name, const mesh::Mesh& mesh) {
-  const Vector3 sizes = box_of(mesh).sizes();
+  const Vector3 sizes = bounding_box(mesh.nodes).sizes();
   Side side;
   if (name.empty()) {
     sizes.minCoeff(&side.facing);
@@ -89,7 +83,7 @@ char axis_name(const Side& side) {
 }
 
 std::array<double, 2> ends_along(const mesh::Mesh& mesh, const Side& side) {
-  const Eigen::AlignedBox3d box = box_of(mesh);
+  const Eigen::AlignedBox3d box = bounding_box(mesh.nodes);
   return {box.min()[side.along], box.max()[side.along]};
 }
 
@@ -107,7 +101,7 @@ std::vector<mesh::Triangle> side_faces(const mesh::Mesh& mesh, const Side& side)
 }
 
 Strips strips_of(const mesh::Mesh& mesh, const eigenmodes::RemovalSlopes& removal, const Side& side) {
-  const Eigen::AlignedBox3d box = box_of(mesh);
+  const Eigen::AlignedBox3d box = bounding_box(mesh.nodes);
   const double low = box.min()[side.along];
   Strips strips;
   strips.width = box.sizes()[side.along] / Strips::count;

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "idiophone/foundation/bounding_box.hpp"
+
 namespace idiophone::bench {
 
 namespace {
@@ -28,10 +30,7 @@ double tapped_share(const Workpiece::Solved& body, const Side& side, std::size_t
 }
 
 Index tapped_node(const mesh::Mesh& mesh, const Vector3& place) {
-  Eigen::AlignedBox3d box;
-  for (const Vector3& node : mesh.nodes) {
-    box.extend(node);
-  }
+  const Eigen::AlignedBox3d box = bounding_box(mesh.nodes);
   const double away = box.exteriorDistance(place);
   if (away > 0.01 * box.diagonal().norm()) {
     throw std::runtime_error(
