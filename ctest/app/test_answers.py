@@ -124,6 +124,7 @@ class Answers(program.TestCase):
         self.assertGreater(sound, falling["motion_seconds"])  # a modal body's surface and sound take longer than it
         self.assertGreater(falling["most_seconds"], falling["seconds"])
         self.assertGreater(falling["seconds"], falling["least_seconds"])
+        self.assertIsNone(self.ask("check", program.deck("fork"))["costs"]["contacts"]["clack"])  # with itself
         lying = self.ask("check", program.deck("touching"))["costs"]["contacts"]
         self.assertTrue(all(contact["begin"] < 1e-3 for contact in lying.values()), lying)
 

@@ -174,14 +174,16 @@ std::vector<ContactCost> contact_costs(const bodies::Preparation& ready, double 
   double sum = 0.0;
   std::size_t measured = 0;
   for (const scene::Contact& contact : ready.scene.contacts) {
-    if (parallel::largest(processor_clock() - begun, communicator) < contact_budget) {
+    if (contact.other == contact.body) {
+      costs.push_back({.is_known = false});
+    } else if (parallel::largest(processor_clock() - begun, communicator) < contact_budget) {
       costs.push_back(cost_of(ready, contact, positions, step_seconds, communicator));
       sum += costs.back().step_seconds;
       ++measured;
     } else {
       ContactCost& cost = costs.emplace_back();
       cost.time.duration = ready.scene.time.duration;
-      cost.step_seconds = sum / static_cast<double>(measured);
+      cost.step_seconds = sum / static_cast<double>(measured);  // the first one is always measured
       cost.steps = cost.time.duration / ready.step();
     }
   }

@@ -92,6 +92,11 @@ void report(const RunCosts& costs, const scene::Scene& scene, const std::vector<
   }
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const ContactCost& cost = contacts[c];
+    if (!cost.is_known) {
+      spdlog::info("contact {}: what it takes while parts of {} touch is not known before the run, and not counted",
+                   scene.contacts[c].name, scene.bodies[scene.contacts[c].body].name);
+      continue;
+    }
     spdlog::info("contact {}: acts in at most {:.4g} steps, from {:.4g} s on; each takes {:.3g} ms more, {} in all",
                  scene.contacts[c].name, cost.steps, cost.time.begin, 1e3 * cost.step_seconds,
                  duration_text(cost.seconds()));
@@ -126,10 +131,13 @@ nlohmann::json facts_of(const RunCosts& costs, const scene::Scene& scene, const 
                           {"modal_proposal", modal_proposal(scene, costs.motion).value_or("")},
                           {"contacts", nlohmann::json::object()}};
   for (std::size_t c = 0; c < contacts.size(); ++c) {
-    facts["contacts"][scene.contacts[c].name] = {{"begin", contacts[c].time.begin},
-                                                 {"steps", contacts[c].steps},
-                                                 {"certain", contacts[c].time.is_certain},
-                                                 {"step_seconds", contacts[c].step_seconds}};
+    nlohmann::json& contact = facts["contacts"][scene.contacts[c].name];  // null if nothing is known
+    if (contacts[c].is_known) {
+      contact = {{"begin", contacts[c].time.begin},
+                 {"steps", contacts[c].steps},
+                 {"certain", contacts[c].time.is_certain},
+                 {"step_seconds", contacts[c].step_seconds}};
+    }
   }
   return facts;
 }

@@ -21,6 +21,7 @@ struct RehearsedSample {
 struct ContactCost {
   Gap gap;
   TouchingTime time;
+  bool is_known = true;       ///< false of a body with itself: nobody knows before the run when its parts touch
   double steps = 0.0;         ///< that it can act in
   double step_seconds = 0.0;  ///< what such a step takes more than one without contact, s
   [[nodiscard]] double seconds() const { return steps * step_seconds; }
@@ -29,7 +30,7 @@ struct ContactCost {
 /// Pushes the two sides of each contact together, into each other by a twentieth of the thinnest cell of their skins,
 /// and takes some steps there. A body that may lie down on an obstacle does so, too, with its thinnest direction
 /// upright, and the longer of both counts. After some seconds, the contacts that are left count as long as the mean of
-/// the others. Collective.
+/// the others. Contacts of a body with itself are left out: pushing cannot bring its parts together. Collective.
 /// @param step_seconds  processor time of a step of the rehearsal, s
 /// @return [contacts]
 [[nodiscard]] std::vector<ContactCost> contact_costs(const bodies::Preparation& ready, double step_seconds,
