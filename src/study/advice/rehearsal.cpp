@@ -175,7 +175,7 @@ std::vector<ContactCost> contact_costs(const bodies::Preparation& ready, double 
   std::size_t measured = 0;
   for (const scene::Contact& contact : ready.scene.contacts) {
     if (contact.other == contact.body) {
-      costs.push_back({.is_known = false});
+      costs.emplace_back().is_known = false;
     } else if (parallel::largest(processor_clock() - begun, communicator) < contact_budget) {
       costs.push_back(cost_of(ready, contact, positions, step_seconds, communicator));
       sum += costs.back().step_seconds;
