@@ -23,6 +23,7 @@ std::vector<T> of_links(const CutCells& cut_cells, T Link::*member) {
 
 std::vector<float> stiffness(const FieldState& state) {
   std::vector<float> values;
+  values.reserve(state.cut_cells.own_nodes());
   for (Index node = 0; node < state.cut_cells.own_nodes(); ++node) {
     values.push_back(state.courant * state.courant / state.cut_cells.nodes()[node].volume);
   }
@@ -33,6 +34,7 @@ std::vector<float> stiffness(const FieldState& state) {
 std::vector<Index> published(const FieldState& state) {
   const auto& nodes = state.cut_cells.nodes();
   std::vector<Index> cells;
+  cells.reserve(state.cut_cells.own_nodes());
   for (Index node = 0; node < state.cut_cells.own_nodes(); ++node) {
     const bool is_first = node == 0 || nodes[node].cell != nodes[node - 1].cell;
     cells.push_back(is_first ? state.subdomain.number(nodes[node].cell) : -1);

@@ -12,7 +12,7 @@ namespace idiophone::waves {
 
 /// All arrays stay on the accelerator. In an audio sample, the velocities of the surfaces go there. With several ranks,
 /// the pressures at the faces of the subdomain come back in each step and go to the neighbours.
-class AcceleratorSteps : public FieldSteps {
+class AcceleratorSteps final : public FieldSteps {
  public:
   /// @param state     with the whole subdomain as one box; must outlive this object, as must the others
   /// @param exchange  of its nodes

@@ -15,7 +15,7 @@ namespace {
 constexpr double reach_divisor = 2;
 
 Box within(const Box& box, double margin) {
-  return Box(box.min() - Vector3::Constant(margin), box.max() + Vector3::Constant(margin));
+  return {box.min() - Vector3::Constant(margin), box.max() + Vector3::Constant(margin)};
 }
 
 }  // namespace
