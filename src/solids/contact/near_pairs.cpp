@@ -90,6 +90,7 @@ void NearPairs::keep_cells_of_candidates() {
 void NearPairs::find() {
   found_.clear();
   find_boxes();
+  find_corners();
   if (!(way_since_chosen() < reach_ / 2)) {  // half, so that rounding never matters
     choose_close_pairs();
   }
@@ -114,15 +115,16 @@ void NearPairs::find_boxes() {
   }
 }
 
-std::vector<Vector3> NearPairs::corners(std::size_t partner) const {
-  std::vector<Vector3> all;
-  if (const Side* const side = partner == 0 ? first_ : second_) {
-    for (const Index cell : cells_.at(partner)) {
-      std::ranges::transform(side->skin.cells[cell], std::back_inserter(all),
-                             [side](Index node) { return side->position[node]; });
+void NearPairs::find_corners() {
+  for (std::size_t s = 0; s < 2; ++s) {
+    corners_.at(s).clear();
+    if (const Side* const side = s == 0 ? first_ : second_) {
+      for (const Index cell : cells_.at(s)) {
+        std::ranges::transform(side->skin.cells[cell], std::back_inserter(corners_.at(s)),
+                               [side](Index node) { return side->position[node]; });
+      }
     }
   }
-  return all;
 }
 
 /// The farthest that corners have come nearer to each other along any axis, m, or more: what all of them moved together
@@ -133,7 +135,7 @@ double NearPairs::way_since_chosen() const {
     ways.extend(Vector3(Vector3::Zero()));  // it stays
   }
   for (std::size_t s = 0; s < 2; ++s) {
-    const std::vector<Vector3> now = corners(s);
+    const std::vector<Vector3>& now = corners_.at(s);
     if (chosen_.at(s).size() != now.size()) {
       return std::numeric_limits<double>::infinity();
     }
@@ -145,7 +147,7 @@ double NearPairs::way_since_chosen() const {
 }
 
 void NearPairs::choose_close_pairs() {
-  chosen_ = {corners(0), corners(1)};
+  chosen_ = corners_;
   close_.clear();
   std::optional<SideCell> first;
   Index place = -1;  // of `first`

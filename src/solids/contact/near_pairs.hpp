@@ -51,8 +51,7 @@ class NearPairs {
  private:
   [[nodiscard]] Box box(std::size_t partner, Index cell) const;
   void find_boxes();
-  /// Of the candidates' cells of a partner, now; none of a shape.
-  [[nodiscard]] std::vector<Vector3> corners(std::size_t partner) const;
+  void find_corners();
   [[nodiscard]] int longest_axis() const;
   /// Of a body with itself, each pair is met once.
   [[nodiscard]] bool is_met_first(Index first, Index second) const { return !neighbours_ || first < second; }
@@ -64,11 +63,12 @@ class NearPairs {
   const Side* first_;
   const Side* second_;
   const RigidShape* shape_;
-  double reach_;                              ///< of close pairs, m
-  std::optional<CellNeighbours> neighbours_;  ///< of a body in contact with itself
-  std::array<std::vector<Index>, 2> cells_;   ///< of candidates, ascending
-  std::array<std::vector<Box>, 2> boxes_;     ///< of these cells, now
-  /// Corners of these cells when the close pairs were chosen; none: not yet.
+  double reach_;                                 ///< of close pairs, m
+  std::optional<CellNeighbours> neighbours_;     ///< of a body in contact with itself
+  std::array<std::vector<Index>, 2> cells_;      ///< of candidates, ascending
+  std::array<std::vector<Box>, 2> boxes_;        ///< of these cells, now
+  std::array<std::vector<Vector3>, 2> corners_;  ///< [4 x cells] of these cells, now; none of a shape
+  /// The same when the close pairs were chosen; none: not yet.
   std::array<std::vector<Vector3>, 2> chosen_;
   std::vector<Pair> candidates_;  ///< places in `cells_`, ascending
   std::vector<Pair> close_;       ///< those that were within reach of each other
