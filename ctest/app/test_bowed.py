@@ -1,5 +1,6 @@
 #!/usr/bin/python3
-"""A bowed vibraphone bar: in time, by finite elements and by modes, it sings as its sound map does in `play`."""
+"""A bowed vibraphone bar: in time, by finite elements and by modes, it sings as its sound map does in `play`. One that another
+body rubs sings alike by finite elements and by modes, and as with a bow."""
 import unittest
 
 import h5py
@@ -9,6 +10,8 @@ import hearing
 import program
 
 DECK = program.SOURCE / "inputs/bowed/vibraphone_bar.yaml"
+RUBBED = program.SOURCE / "inputs/bowed/rubbed_bar.yaml"
+FINITE_ELEMENTS = "bodies.bar.model={type: finite_elements}"
 RATE = 44100
 SCORE = """
 duration: {duration}
@@ -19,11 +22,13 @@ events:
 
 
 class Bowed(program.TestCase):
-    def run_bar(self, *settings):
-        """The sound of the run, [samples]."""
-        self.require_status(program.idiophone("run", DECK, "--output-folder", self.output, *settings), program.FINISHED)
-        with h5py.File(self.output / "bowed_vibraphone_bar.h5") as file:
-            return file["audio/ear"][:, 0]
+    def run_deck(self, deck, kind, *settings):
+        """The sound, [samples], and the result of the run, in a folder for its kind."""
+        folder = self.output / kind
+        self.require_status(program.idiophone("run", deck, "--output-folder", folder, *settings), program.FINISHED)
+        result, = folder.glob("*.h5")
+        with h5py.File(result) as file:
+            return file["audio/ear"][:, 0], result
 
     def play_bar(self, duration, *settings):
         """The sound of the bar's map, [samples]."""
@@ -35,23 +40,37 @@ class Bowed(program.TestCase):
                                               "--output", wav, "--rate", RATE), program.FINISHED)
         return program.wav_samples(wav).astype(float)
 
-    def require_as_played(self, kind, ran, played):
-        """The last part of both sounds has the same pitch within 3 cents and the same level within 1 dB."""
-        length = RATE // 3
-        (f_ran, level_ran), (f_played, level_played) = (
-            hearing.loudest_between(sound[len(ran) - length:len(ran)], RATE, 100, 400) for sound in (ran, played))
-        cents = 1200 * numpy.log2(f_ran / f_played)
-        print(f"{kind}: {f_ran:.2f} Hz, played {f_played:.2f} Hz: {cents:.2f} cents, {level_ran - level_played:.2f} dB apart")
+    def require_alike(self, kind, sound, reference):
+        """The last part of the sound, and that of the reference then, have the same pitch within 3 cents and the same level
+        within 1 dB."""
+        last = slice(len(sound) - RATE // 3, len(sound))
+        (f, level), (f_reference, level_reference) = (
+            hearing.loudest_between(whole[last], RATE, 100, 400) for whole in (sound, reference))
+        cents = 1200 * numpy.log2(f / f_reference)
+        print(f"{kind}: {f:.2f} Hz, reference {f_reference:.2f} Hz: {cents:.2f} cents, {level - level_reference:.2f} dB apart")
         self.assertLess(abs(cents), 3)
-        self.assertLess(abs(level_ran - level_played), 1)
+        self.assertLess(abs(level - level_reference), 1)
 
     def test_modes_in_time_sound_as_the_map(self):
-        self.require_as_played("modes", self.run_bar(), self.play_bar(1.5))
+        self.require_alike("modes", self.run_deck(DECK, "modes")[0], self.play_bar(1.5))
 
     @program.long_verification
     def test_finite_elements_sound_as_the_map(self):
-        self.require_as_played("finite elements", self.run_bar("--set", "bodies.bar.model={type: finite_elements}"),
-                               self.play_bar(1.5))
+        elements, _ = self.run_deck(DECK, "elements", "--set", FINITE_ELEMENTS)
+        self.require_alike("finite elements", elements, self.play_bar(1.5))
+
+    @program.long_verification
+    def test_a_bar_that_a_body_rubs_sounds_as_with_a_bow_and_the_same_by_finite_elements(self):
+        modes, result = self.run_deck(RUBBED, "modes")
+        elements, _ = self.run_deck(RUBBED, "elements", "--set", FINITE_ELEMENTS)
+        self.require_alike("finite elements", elements, modes)
+        with h5py.File(result) as file:
+            load = numpy.mean(-file["contacts/rub/force"][RATE // 2:, 0])
+        settings = {"bodies.bar.supports.left.damping": 10, "bodies.bar.supports.right.damping": 10, "loads.bow.load": load,
+                    "time.duration": 1.0, "bodies.bar.order": "{plane: 4, thickness: 2}",
+                    "listeners.ear.position": "[-0.2, 0, 0.5]"}
+        bowed, _ = self.run_deck(DECK, "bow", *(word for key, value in settings.items() for word in ("--set", f"{key}={value}")))
+        self.require_alike("a bow", bowed, modes)
 
 
 if __name__ == "__main__":
