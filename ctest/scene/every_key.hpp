@@ -58,7 +58,8 @@ inline std::string every_key(const std::string& plate, const std::string& surrou
              "  echo: {recording: plate.geo}\n"
              "  pane: {mesh: plate.geo, materials: {glass: {material: steel}}, fracture: [{surface: cracks, strength: "
              "1}]}\n"
-             "  ply: {mesh: plate.geo, element: hex, prestress: {xx: 1},"
+             "  ply: {mesh: plate.geo, element: hex, fixed: [left], prestress: {xx: 1, stretch: {group: left, "
+             "displacement: [1, 0, 0]}},"
              " layers: [{material: steel, thickness: 0.001}]}\n"
              "loads:\n  pull: {type: pluck, body: plate, at: [0, 0, 0], force: [0, 0, 1]}\n"
              "  breeze: {type: wind, velocity: [1, 0, 0]}\n"
@@ -103,6 +104,7 @@ inline const std::map<std::string, std::string>& every_path() {
       {"bodies.NAME.materials.GROUP", "bodies.pane.materials.glass"},
       {"bodies.NAME.layers.INDEX", "bodies.ply.layers.0"},
       {"bodies.NAME.prestress", "bodies.ply.prestress"},
+      {"bodies.NAME.prestress.stretch", "bodies.ply.prestress.stretch"},
       {"bodies.NAME.grain", "bodies.plate.grain"},
       {"bodies.NAME.order", "bodies.plate.order"},
       {"bodies.NAME.model", "bodies.plate.model"},

@@ -11,7 +11,7 @@ TEST_F(Mistaken, Keys) {
       {"young", "yuong",
        "deck.yaml:4:10: materials.steel: the key 'young' is missing\n"
        "deck.yaml:4:11: materials.steel.yuong: unknown key (did you mean 'young'?), known here: from, young, "
-       "poisson, shear, stiffness, density, damping"},
+       "poisson, shear, stiffness, density, damping, expansion"},
       {"time:", "Tiem:",
        "deck.yaml:1:1: the key 'time' is missing\n"
        "deck.yaml:2:1: Tiem: unknown key (did you mean 'time'?), known here: name, time, materials, bodies, obstacles, "

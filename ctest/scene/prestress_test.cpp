@@ -13,6 +13,9 @@ class PrestressKeys : public DeckTest {
   [[nodiscard]] std::string deck(const std::string& keys) const {
     return replaced(plate, "material: steel", "material: steel, " + keys);
   }
+
+  /// The small deck with these keys in place of those that hold the body.
+  [[nodiscard]] std::string held(const std::string& keys) const { return replaced(plate, "fixed: [rim]", keys); }
 };
 
 TEST_F(PrestressKeys, StandInAnyOrder) {
@@ -38,6 +41,29 @@ TEST_F(PrestressKeys, MistakesAreAnswered) {
               testing::HasSubstr("bodies.plate.prestress: has no meaning with mass_scaling"));
   EXPECT_THAT(answer("prestress: {xx: 1}, fracture: [{surface: cracks, strength: 1}]"),
               testing::HasSubstr("bodies.plate.prestress: has no meaning with fracture"));
+  EXPECT_THAT(answer("prestress: {temperature: 1}"),
+              testing::HasSubstr("changes the temperature, and the material 'steel' has no `expansion`, 1/K"));
+  const auto answer_held = [&](const std::string& keys) {
+    return mistakes(held(keys + ", prestress: {stretch: {group: top, displacement: [1, 0, 0]}}"));
+  };
+  EXPECT_EQ(answer_held("fixed: [top]"), "no mistakes");
+  EXPECT_THAT(answer_held("fixed: [bottom]"), testing::HasSubstr("stretches the group 'top', which needs to be in"));
+  EXPECT_THAT(answer_held("fixed: [{group: top, axes: yz}]"),
+              testing::HasSubstr("held along the axes of the displacement"));
+  EXPECT_THAT(answer_held("fixed: [top], model: {type: modal, count: 1, large_amplitudes: true}"),
+              testing::HasSubstr("which large_amplitudes can't have yet"));
+}
+
+TEST_F(PrestressKeys, TemperatureAndStretchAreRead) {
+  const std::string keys =
+      "fixed: [{group: top, axes: xy}], prestress: {temperature: -20, stretch: {group: top, displacement: [0.001, 0, "
+      "0]}}";
+  const Scene scene = read(replaced(held(keys), "density: 7850", "density: 7850, expansion: 1.2e-5"));
+  const Prestress& prestress = *scene.bodies.at(0).prestress;
+  EXPECT_EQ(prestress.temperature, -20);
+  EXPECT_EQ(prestress.stretch->group, "top");
+  EXPECT_EQ(prestress.stretch->displacement, Vector3(0.001, 0, 0));
+  EXPECT_EQ(scene.materials.at(0).expansion, 1.2e-5);
 }
 
 }  // namespace

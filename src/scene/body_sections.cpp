@@ -136,7 +136,7 @@ bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far)
   section.optional("supports", body.supports);
   read_model(section, body);
   read_fracture(section, body);
-  read_prestress(section, body);
+  read_prestress(section, body, so_far.materials);
   section.optional("springs", body.springs, folder);
   section.optional("velocity", body.velocity, Range{.at_least = -1e5, .at_most = 1e5, .unit = "m/s"});
   section.optional("spin", body.spin, Range{.at_least = -1e6, .at_most = 1e6, .unit = "rad/s"});

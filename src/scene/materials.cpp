@@ -89,6 +89,7 @@ bool read(const Node& node, Mistakes& mistakes, Material& material) {
     section.optional("density", material.density, solid_density);
   }
   section.optional("damping", material.damping);
+  section.optional("expansion", material.expansion, Range{.at_least = -1e-3, .at_most = 1e-3, .unit = "1/K"});
   return section.finish();
 }
 

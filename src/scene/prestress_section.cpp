@@ -1,7 +1,12 @@
-// The stress that a body has where it rests.
+// What strains a body before it vibrates: a stress, a change of temperature, a group held away from its place.
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
+#include <string>
 
+#include "idiophone/scene/ranges.hpp"
 #include "idiophone/scene/sections.hpp"
 
 namespace idiophone::scene {
@@ -10,7 +15,15 @@ Eigen::Matrix3d Body::initial_stress() const {
   return prestress ? Eigen::Matrix3d(turn() * prestress->stress * turn().transpose()) : Eigen::Matrix3d::Zero();
 }
 
-/// {xx, yy, zz, yz, xz, xy}
+/// {group, displacement}
+static bool read(const Node& node, Mistakes& mistakes, StretchedGroup& stretch) {
+  Section section(node, mistakes);
+  section.required("group", stretch.group);
+  section.required("displacement", stretch.displacement, coordinate);
+  return section.finish();
+}
+
+/// {xx, yy, zz, yz, xz, xy, temperature, stretch}
 static bool read(const Node& node, Mistakes& mistakes, Prestress& prestress) {
   constexpr std::array keys = {"xx", "yy", "zz", "yz", "xz", "xy"};
   prestress.where = node.where;
@@ -20,14 +33,53 @@ static bool read(const Node& node, Mistakes& mistakes, Prestress& prestress) {
     section.optional(key, component, Range{.at_least = -1e12, .at_most = 1e12, .unit = "Pa"});
     prestress.stress(key[1] - 'x', key[0] - 'x') = component;
   }
+  section.optional("temperature", prestress.temperature, Range{.at_least = -1e4, .at_most = 1e4, .unit = "K"});
+  section.optional("stretch", prestress.stretch);
   const bool good = section.finish();
-  if (good && prestress.stress.isZero(0.0)) {
-    return mistakes.add(node, "needs a stress other than 0 Pa: xx, yy, zz, yz, xz or xy; leave it out for none");
+  if (good && prestress.stress.isZero(0.0) && prestress.temperature == 0.0 && !prestress.stretch) {
+    return mistakes.add(node,
+                        "needs a stress other than 0 Pa (xx, yy, zz, yz, xz or xy), a change of temperature or a "
+                        "stretch; leave it out for none");
   }
   return good;
 }
 
-void read_prestress(Section& section, Body& body) {
+namespace {
+
+/// Whether the group is fixed along all axes along which it is displaced.
+bool holds(const Body& body, const StretchedGroup& stretch) {
+  return std::ranges::any_of(body.fixed, [&](const FixedGroup& fixed) {
+    const auto is_held = [&](int axis) { return fixed.axes[axis] || stretch.displacement[axis] == 0.0; };
+    return fixed.group == stretch.group && !fixed.hinge && is_held(0) && is_held(1) && is_held(2);
+  });
+}
+
+void check_prestress(Section& section, const Body& body, const std::vector<Material>& materials) {
+  const Prestress& prestress = *body.prestress;
+  if (prestress.stretch && !holds(body, *prestress.stretch)) {
+    section.refuse("prestress",
+                   fmt::format("stretches the group '{}', which needs to be in `fixed`, held along the axes "
+                               "of the displacement",
+                               prestress.stretch->group));
+  }
+  for (const MaterialRegion& region : body.all_regions()) {
+    const Material& material = materials.at(region.material);
+    if (prestress.temperature != 0.0 && !material.expansion) {
+      section.refuse("prestress", fmt::format("changes the temperature, and the material '{}' has no `expansion`, 1/K",
+                                              material.name));
+      return;
+    }
+  }
+  if (body.modal && body.modal->stretching_tolerance && (prestress.stretch || prestress.temperature != 0.0)) {
+    section.refuse("prestress",
+                   "has a stretch or a temperature, which large_amplitudes can't have yet: give the stress "
+                   "that results, such as xx, or use finite elements");
+  }
+}
+
+}  // namespace
+
+void read_prestress(Section& section, Body& body, const std::vector<Material>& materials) {
   if (section.find("prestress") == nullptr) {
     return;
   }
@@ -35,8 +87,8 @@ void read_prestress(Section& section, Body& body) {
     section.refuse("prestress", "has no meaning with fracture: what breaks would no longer be held under its stress");
   } else if (body.mass_scaling) {
     section.refuse("prestress", "has no meaning with mass_scaling: its longer steps hold for bodies without stress");
-  } else {
-    section.optional("prestress", body.prestress);
+  } else if (section.optional("prestress", body.prestress) && body.prestress && !materials.empty()) {
+    check_prestress(section, body, materials);
   }
 }
 

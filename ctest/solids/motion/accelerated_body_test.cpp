@@ -110,7 +110,7 @@ TEST_F(AcceleratedBodyTest, HasRegionsOfWoodAndRubberUnderTension) {
     std::fill_n(lab->part.bodies[0].regions.rbegin(), 12, 1);
     lab->scene.bodies[0].regions = {{.name = "rubber", .material = 0, .where = {}},
                                     {.name = "wood", .material = 1, .where = {}}};
-    lab->scene.bodies[0].prestress = {Vector3(2e4, 0.0, 0.0).asDiagonal(), {}};
+    lab->scene.bodies[0].prestress.emplace().stress = Vector3(2e4, 0.0, 0.0).asDiagonal();
   }
   expect_the_same_motion(there, here);
 }

@@ -77,5 +77,44 @@ TEST(StaticEquilibrium, RefusesABodyThatNothingHolds) {
   EXPECT_THROW((void)equilibrium(lab), deck::DeckError);
 }
 
+/// A strip of two layers, of which the upper one grows with the temperature, held at one end.
+Laboratory bimetal_strip(double growth) {
+  Laboratory lab(support::block_mesh(element::tet10, {1.0, 0.05, 0.05}, {20, 1, 2}));
+  lab.scene.materials[0] = {"invar", 2e11, 0.0, 7850, {}, {}};
+  lab.scene.materials.push_back(lab.scene.materials[0]);
+  lab.scene.materials[0].expansion = 0.0;
+  lab.scene.materials[1].expansion = growth;
+  lab.scene.bodies[0].regions.resize(2);
+  lab.scene.bodies[0].regions[1].material = 1;
+  lab.scene.bodies[0].prestress.emplace().temperature = 1.0;
+  mesh::BodyPart& body = lab.part.bodies[0];
+  for (std::size_t element = 0; element < body.element_ids.size(); ++element) {
+    double highest = 0.0;
+    for (const Index node : body.element_nodes(element)) {
+      highest = std::max(highest, lab.mesh.nodes[node].z());
+    }
+    body.regions.push_back(highest > 0.026 ? 1 : 0);
+  }
+  lab.fix("x0");
+  return lab;
+}
+
+/// S. Timoshenko, Analysis of bi-metal thermostats, Journal of the Optical Society of America 11, 1925: the curvature
+/// of two layers of the same stiffness and thickness is 3/2 of the difference of growths over the whole thickness.
+TEST(StaticEquilibrium, ABimetalStripBendsAsTimoshenkoSays) {
+  constexpr double growth = 1e-5;
+  const Laboratory lab = bimetal_strip(growth);
+  EXPECT_NEAR(tip_deflection(lab, equilibrium(lab)) / (-1.5 * growth / 0.05 / 2), 1.0, 0.01);
+}
+
+TEST(StaticEquilibrium, AWarmStripStaysAtRest) {
+  Laboratory lab = bimetal_strip(1e-3);
+  lab.begin(5e-7, equilibrium(lab));
+  const double elastic = lab.observe().elastic;
+  lab.advance(200);
+  EXPECT_LT(elastic, 0.0) << "it gave energy when it bent";
+  EXPECT_LT(lab.observe().kinetic, -1e-12 * elastic);
+}
+
 }  // namespace
 }  // namespace idiophone::motion

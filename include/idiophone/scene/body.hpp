@@ -91,10 +91,19 @@ struct MaterialRegion {
   deck::Location where;
 };
 
-/// A stress that a body has where it rests, the same in all of it.
+/// A fixed group that is held away from its place.
+struct StretchedGroup {
+  std::string group;
+  Vector3 displacement = Vector3::Zero();  ///< m
+};
+
+/// What strains a body before it vibrates. It rests where its elastic forces are in equilibrium.
 struct Prestress {
-  Eigen::Matrix3d stress = Eigen::Matrix3d::Zero();  ///< Pa, symmetric, positive where it pulls; axes of the mesh file
+  /// The same in all of the undeformed body: Pa, symmetric, positive where it pulls; axes of the mesh file.
+  Eigen::Matrix3d stress = Eigen::Matrix3d::Zero();
   deck::Location where;
+  double temperature = 0.0;               ///< change since the body was without stress, K
+  std::optional<StretchedGroup> stretch;  ///< none: the fixed groups are in their places
 };
 
 /// One deformable body.
@@ -136,7 +145,8 @@ struct Body {
   /// The material's axes in the undeformed body, in the columns.
   [[nodiscard]] Eigen::Matrix3d material_axes() const { return turn() * grain; }
 
-  /// The stress where it rests, Pa, in the axes of the scene; zero without prestress.
+  /// The stress that its prestress gives to the undeformed body, Pa, in the axes of the scene; zero without. That of a
+  /// change of temperature is left out.
   [[nodiscard]] Eigen::Matrix3d initial_stress() const;
 
   /// Whether it is a wall of layers.

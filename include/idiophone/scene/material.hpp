@@ -45,7 +45,8 @@ struct Material {
   Damping damping;
   deck::Location where;
   std::optional<Orthotropy> orthotropy = {};
-  std::optional<Crystal> crystal = {};  ///< at most one of the two; none: isotropic
+  std::optional<Crystal> crystal = {};   ///< at most one of the two; none: isotropic
+  std::optional<double> expansion = {};  ///< by which a length grows with the temperature, of itself, 1/K
 
   [[nodiscard]] bool is_isotropic() const { return !orthotropy && !crystal; }
 };

@@ -44,7 +44,8 @@ bool read(const Node& node, Mistakes& mistakes, Body& body, const Scene& so_far)
 void read_materials(Section& section, Body& body, const std::vector<Material>& materials);
 
 /// The key prestress of a body, once its other keys are read.
-void read_prestress(Section& section, Body& body);
+/// @param materials  of the deck
+void read_prestress(Section& section, Body& body, const std::vector<Material>& materials);
 
 /// The key model of a body, once its other keys are read.
 void read_model(Section& section, Body& body);

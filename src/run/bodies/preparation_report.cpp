@@ -28,9 +28,16 @@ void report_modes(const modal_bodies::ModalBasis& basis) {
   }
 }
 
-/// The principal stresses of a body at rest, and how fast waves travel along the largest as on a string or a membrane.
+/// The principal stresses of the undeformed body, and how fast waves travel along the largest as on a string or a
+/// membrane.
 /// @param density  mean, kg/m3
 void report_prestress(const scene::Body& body, double density) {
+  if (body.prestress->temperature != 0.0) {
+    spdlog::info("  prestress: the temperature changed by {:.6g} K", body.prestress->temperature);
+  }
+  if (body.prestress->stress.isZero(0.0)) {
+    return;
+  }
   const Eigen::Vector3d stresses = dense::eigenpairs(Eigen::MatrixXd(body.initial_stress())).values;
   spdlog::info("  prestress: principal stresses of {:.6g}, {:.6g} and {:.6g} Pa", stresses[2], stresses[1],
                stresses[0]);

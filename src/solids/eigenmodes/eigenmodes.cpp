@@ -11,7 +11,6 @@
 #include "damped_mode.hpp"
 #include "eigensolver.hpp"
 #include "idiophone/solids/eigenmodes/no_modes.hpp"
-#include "idiophone/solids/motion/prestress_balance.hpp"
 #include "inertia.hpp"
 #include "operators.hpp"
 #include "rigid_motions.hpp"
@@ -70,7 +69,7 @@ void check_buckling(std::span<const scene::Body> bodies, const Operators& operat
       std::ranges::any_of(bodies, [](const scene::Body& body) { return body.prestress.has_value(); });
   if (is_prestressed && eigenvalues_below(operators, bound) > 0) {
     throw std::runtime_error(
-        fmt::format("{} buckles under its prestress, so it has no modes about its undeformed shape: give it a "
+        fmt::format("{} buckles under its prestress, so it has no modes: give it a "
                     "smaller pressure",
                     name_of(bodies)));
   }
@@ -82,7 +81,6 @@ Modes find_modes(const scene::Solids& solids, const mesh::Part& part, const moti
                  const Options& options, MPI_Comm communicator) {
   const std::string name = name_of(solids.bodies);
   const Operators operators(solids, part, attachments, options.mass, communicator);
-  motion::check_prestress(solids, part, operators.dynamics(), communicator);
   const auto rigid = rigid_motions(part, operators, communicator);
   Modes found;
   found.rigid_motions = static_cast<int>(rigid.size());

@@ -9,7 +9,7 @@
 #include "idiophone/solids/joints/joints.hpp"
 #include "idiophone/solids/motion/ghost_exchange.hpp"
 #include "idiophone/solids/solid/consistent_mass.hpp"
-#include "idiophone/solids/solid/tangent_stiffness.hpp"
+#include "rest.hpp"
 
 namespace idiophone::eigenmodes {
 
@@ -57,19 +57,16 @@ Operators::Operators(const scene::Solids& solids, const mesh::Part& part, const 
   dynamics_.loads().add_support_stiffness(support_);
   dynamics_.loads().add_support_damping(dashpot_);
   size_ = parallel::sum(components_.end - components_.begin, communicator);
-  assemble(part, mass, communicator);
+  assemble(part, rest_under_prestress(solids, part, dynamics_, components_, communicator), mass, communicator);
 }
 
-void Operators::assemble(const mesh::Part& part, MassMatrix mass, MPI_Comm communicator) {
+void Operators::assemble(const mesh::Part& part, std::span<const solid::NodeState> rest, MassMatrix mass,
+                         MPI_Comm communicator) {
   const joints::Joints& joints = dynamics_.joints();
   stiffness_ = motion::create_matrix(part.bodies, components_, communicator, joints::coupled_nodes(joints.all()));
   for (std::size_t b = 0; b < part.bodies.size(); ++b) {
-    const solid::Solid& solid = dynamics_.solid(b);
-    add_elements(part, b, stiffness_, [&](std::size_t region, std::span<const Vector3> positions) {
-      const std::vector<Vector3> at_rest(positions.size(), Vector3::Zero());
-      return solid::tangent_stiffness(part.bodies[b].element, solid.elasticity(region), positions, at_rest,
-                                      solid.initial_stress(region));
-    });
+    motion::add_tangent_stiffness(part, part.bodies[b], dynamics_.solid(b), &solid::Solid::elasticity, rest,
+                                  components_, stiffness_);
   }
   add_diagonal(stiffness_, support_);
   for (std::size_t joint = 0; joint < joints.all().size(); ++joint) {

@@ -41,7 +41,8 @@ class Operators : public EigenProblem {
   [[nodiscard]] std::vector<double> extended(Vec vector) const override;
 
  private:
-  void assemble(const mesh::Part& part, MassMatrix mass, MPI_Comm communicator);
+  /// @param rest  [local nodes] where the bodies rest
+  void assemble(const mesh::Part& part, std::span<const solid::NodeState> rest, MassMatrix mass, MPI_Comm communicator);
   /// Adds the matrices of the elements of one body.
   void add_elements(
       const mesh::Part& part, std::size_t number, Mat matrix,

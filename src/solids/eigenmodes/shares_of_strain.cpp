@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <numeric>
 
-#include "idiophone/foundation/parallel/datatype.hpp"
-#include "idiophone/foundation/parallel/petsc.hpp"
 #include "idiophone/foundation/parallel/reduce.hpp"
-#include "idiophone/solids/motion/ghost_exchange.hpp"
+#include "with_ghosts.hpp"
 
 namespace idiophone::eigenmodes {
 
-using parallel::petsc;
 using solid::NodeForce;
 using solid::NodeState;
 
@@ -18,12 +15,7 @@ namespace {
 
 /// States of nodes at rest whose velocities are the shape, ghosts included.
 std::vector<NodeState> moving(const mesh::Part& part, std::span<const double> shape, MPI_Comm communicator) {
-  std::vector<double> values(3 * part.node_ids.size());
-  std::ranges::copy(shape, values.begin());
-  const parallel::Datatype node(3, MPI_DOUBLE);
-  const parallel::Handle<PetscSF> ghosts = motion::ghost_exchange(part, communicator);
-  petsc(PetscSFBcastBegin(ghosts, node.get(), values.data(), values.data() + shape.size(), MPI_REPLACE));
-  petsc(PetscSFBcastEnd(ghosts, node.get(), values.data(), values.data() + shape.size(), MPI_REPLACE));
+  const std::vector<double> values = with_ghosts(part, shape, communicator);
   std::vector<NodeState> state(part.node_ids.size());
   for (std::size_t c = 0; c < values.size(); ++c) {
     state[c / 3].velocity[c % 3] = values[c];

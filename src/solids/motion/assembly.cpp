@@ -4,6 +4,7 @@
 #include <set>
 
 #include "idiophone/foundation/parallel/petsc.hpp"
+#include "idiophone/solids/solid/tangent_stiffness.hpp"
 
 namespace idiophone::motion {
 
@@ -72,6 +73,24 @@ void add_elements(const mesh::BodyPart& body, const Components& components, cons
   for (std::size_t element = 0; element < body.element_ids.size(); ++element) {
     add_between(body.element_nodes(element), components, element_matrix(element), matrix);
   }
+}
+
+void add_tangent_stiffness(const mesh::Part& part, const mesh::BodyPart& body, const solid::Solid& solid, Moduli moduli,
+                           std::span<const solid::NodeState> state, const Components& components, Mat matrix) {
+  std::vector<Vector3> reference;
+  std::vector<Vector3> displacement;
+  const auto tangent = [&](std::size_t element) {
+    reference.clear();
+    displacement.clear();
+    for (const Index node : body.element_nodes(element)) {
+      reference.push_back(part.reference[node]);
+      displacement.emplace_back(state[node].displacement);
+    }
+    const auto region = static_cast<std::size_t>(body.region(element));
+    return solid::tangent_stiffness(body.element, (solid.*moduli)(region), reference, displacement,
+                                    solid.initial_stress(region));
+  };
+  add_elements(body, components, tangent, matrix);
 }
 
 void add_between(std::span<const Index> nodes, const Components& components, const Eigen::MatrixXd& values,

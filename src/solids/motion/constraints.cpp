@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <iterator>
+#include <limits>
 #include <map>
 
 namespace idiophone::motion {
@@ -37,6 +38,11 @@ Constraints::Constraints(const scene::Solids& solids, const mesh::Part& part, co
     for (std::size_t i = 0; i < body.fixed.size(); ++i) {
       scene::DrivenGroup still;
       still.axes = body.fixed[i].axes;
+      if (body.prestress && body.prestress->stretch && body.prestress->stretch->group == body.fixed[i].group) {
+        still.displacement = body.prestress->stretch->displacement;
+        still.signal.shape = scene::Signal::Shape::constant;
+        still.signal.duration = std::numeric_limits<double>::infinity();
+      }
       held.groups.push_back(group(still, attachments.bodies[b].fixed[i], part));
     }
     for (std::size_t i = 0; i < body.driven.size(); ++i) {

@@ -208,12 +208,9 @@ std::vector<StableStep> steps_of_models(const mesh::Part& part, const FiniteElem
       communicator);
 }
 
-/// Rank 0 has all of it, where there are plucks.
+/// Rank 0 has all of it.
 std::vector<double> preload(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
                             const Attachments& attachments) {
-  if (solids.plucks.empty()) {
-    return {};
-  }
   const mesh::Part whole = mesh::distribute(meshes, MPI_COMM_SELF);
   return static_equilibrium(solids, whole, attachments, FiniteElementDynamics(solids, whole, attachments));
 }
@@ -238,7 +235,7 @@ InitialState find_initial_state(const scene::Solids& solids, std::optional<doubl
                                 const ModelMaker& models, MPI_Comm communicator) {
   std::optional<FiniteElementDynamics> finite_elements;
   everywhere(communicator, [&] { finite_elements.emplace(solids, part, attachments); });
-  check_prestress(solids, part, *finite_elements, communicator);
+  const std::vector<char> deformed = deformed_by_prestress(solids, part, *finite_elements, communicator);
   InitialState initial_state = gathered_mass_properties(*finite_elements, meshes, part, communicator);
   initial_state.steps = find_stable_steps(part, *finite_elements, communicator);
   initial_state.scaling =
@@ -257,7 +254,9 @@ InitialState find_initial_state(const scene::Solids& solids, std::optional<doubl
   finite_elements.reset();  // rank 0 may need the memory
   parallel::on_root(communicator, [&] {
     stiffen_by_contact(solids, step, inverse_masses, largest, contact_surfaces, initial_state.steps);
-    initial_state.displacement = preload(solids, meshes, attachments);
+    if (!solids.plucks.empty() || std::ranges::count(deformed, 1) > 0) {
+      initial_state.displacement = preload(solids, meshes, attachments);
+    }
   });
   return broadcast(std::move(initial_state), communicator);
 }

@@ -5,14 +5,17 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <limits>
 #include <numeric>
+#include <optional>
 #include <span>
+#include <string>
 
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/parallel/petsc.hpp"
 #include "idiophone/solids/motion/assembly.hpp"
-#include "idiophone/solids/solid/tangent_stiffness.hpp"
+#include "idiophone/solids/motion/prestress_balance.hpp"
 
 namespace idiophone::motion {
 
@@ -23,8 +26,9 @@ namespace {
 /// One body's balance of forces: unknowns are its nodes' displacements, [3 x nodes of the body].
 class Equilibrium {
  public:
+  /// @param is_plucked  whether its plucks and gravity load it
   Equilibrium(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments,
-              const FiniteElementDynamics& dynamics, std::size_t body)
+              const FiniteElementDynamics& dynamics, std::size_t body, bool is_plucked)
       : part_(part),
         body_(part.bodies[body]),
         material_(solids.materials[solids.bodies[body].material]),
@@ -38,15 +42,12 @@ class Equilibrium {
     const auto own = std::span(components_.number).subspan(3UL * body_.owned_begin, load_.size());
     std::iota(own.begin(), own.end(), 0);
     dynamics.loads().add_support_stiffness(support_);
-    for (std::size_t node = 0; node < load_.size() / 3; ++node) {
-      const double mass = dynamics.model(body).masses()[node];
-      for (std::size_t i = 0; i < 3; ++i) {
-        load_[3 * node + i] = mass * solids.gravity[i];
-      }
-    }
-    for (std::size_t p = 0; p < solids.plucks.size(); ++p) {
-      if (solids.plucks[p].body == body) {
-        add_pluck(attachments.plucks[p], solids.plucks[p].force);
+    if (is_plucked) {
+      add_gravity(dynamics.model(body).masses(), solids.gravity);
+      for (std::size_t p = 0; p < solids.plucks.size(); ++p) {
+        if (solids.plucks[p].body == body) {
+          add_pluck(attachments.plucks[p], solids.plucks[p].force);
+        }
       }
     }
     dynamics.constraints().place(0.0, state_);
@@ -65,7 +66,8 @@ class Equilibrium {
   [[nodiscard]] double load_norm() const {
     return Eigen::Map<const Eigen::VectorXd>(load_.data(), std::ssize(load_)).norm();
   }
-  void set_load_fraction(double fraction) { fraction_ = fraction; }
+  /// Of the loads, and of the ways of the constraints.
+  void set_fraction(double fraction) { fraction_ = fraction; }
 
   /// Unbalanced force, N; for a held component, how far it is from its place, times a stiffness.
   void residual(std::span<const double> u, std::span<double> unbalanced) {
@@ -80,27 +82,17 @@ class Equilibrium {
     state_ = places;
     for (const Index c : held_) {
       const Index node = body_.owned_begin + c / 3;
-      unbalanced[c] = stiffness_scale() * (u[c] - state_[node].displacement[c % 3]);
+      unbalanced[c] = stiffness_scale() * (u[c] - fraction_ * state_[node].displacement[c % 3]);
     }
   }
 
   /// Tangent stiffness at displacements u.
-  void jacobian(std::span<const double> u, Mat matrix) const {
+  void jacobian(std::span<const double> u, Mat matrix) {
     petsc(MatZeroEntries(matrix));
-    std::vector<Vector3> reference;
-    std::vector<Vector3> displacement;
-    const auto tangent = [&](std::size_t element) {
-      reference.clear();
-      displacement.clear();
-      for (const Index node : body_.element_nodes(element)) {
-        reference.push_back(part_.reference[node]);
-        displacement.emplace_back(&u[3 * static_cast<std::size_t>(node - body_.owned_begin)]);
-      }
-      const auto region = static_cast<std::size_t>(body_.region(element));
-      return solid::tangent_stiffness(body_.element, solid_.relaxed_elasticity(region), reference, displacement,
-                                      solid_.initial_stress(region));
-    };
-    add_elements(body_, components_, tangent, matrix);
+    const std::vector<NodeState> places = state_;
+    set_displacements(u);
+    add_tangent_stiffness(part_, body_, solid_, &solid::Solid::relaxed_elasticity, state_, components_, matrix);
+    state_ = places;
     for (std::size_t c = 0; c < size(); ++c) {
       const double stiffness = support_[body_.owned_begin + c / 3];
       petsc(MatSetValue(matrix, static_cast<PetscInt>(c), static_cast<PetscInt>(c), stiffness, ADD_VALUES));
@@ -119,6 +111,12 @@ class Equilibrium {
 
  private:
   static std::size_t size_of(const mesh::BodyPart& body) { return body.owned_end - body.owned_begin; }
+
+  void add_gravity(std::span<const double> masses, const Vector3& gravity) {
+    for (std::size_t c = 0; c < load_.size(); ++c) {
+      load_[c] += masses[c / 3] * gravity[static_cast<Eigen::Index>(c % 3)];
+    }
+  }
 
   void add_pluck(const mesh::Patch& patch, const Vector3& force) {
     for (std::size_t n = 0; n < patch.nodes.size(); ++n) {
@@ -171,7 +169,7 @@ PetscErrorCode form_jacobian(SNES /*solver*/, Vec displacement, Mat matrix, Mat 
   PetscFunctionBegin;
   const PetscScalar* u = nullptr;
   PetscCall(VecGetArrayRead(displacement, &u));
-  const auto* problem = static_cast<const Equilibrium*>(context);
+  auto* problem = static_cast<Equilibrium*>(context);
   problem->jacobian({u, problem->size()}, matrix);
   PetscCall(VecRestoreArrayRead(displacement, &u));
   PetscFunctionReturn(0);
@@ -210,7 +208,7 @@ class NewtonSolver {
   bool solve(int increments) {
     petsc(VecZeroEntries(displacement_));
     for (int increment = 1; increment <= increments; ++increment) {
-      problem_.set_load_fraction(static_cast<double>(increment) / increments);
+      problem_.set_fraction(static_cast<double>(increment) / increments);
       petsc(SNESSolve(solver_, nullptr, displacement_));
       SNESConvergedReason reason = SNES_CONVERGED_ITERATING;
       petsc(SNESGetConvergedReason(solver_, &reason));
@@ -238,33 +236,64 @@ class NewtonSolver {
 
 }  // namespace
 
+namespace {
+
+/// Why and where a body has an equilibrium of its own, for messages.
+struct Cause {
+  std::string what;  ///< "pluck 'finger'"
+  deck::Location where;
+};
+
+/// None: it rests undeformed.
+std::optional<Cause> cause_of(const scene::Solids& solids, std::size_t body, bool is_deformed) {
+  const auto pluck = std::ranges::find(solids.plucks, body, &scene::Pluck::body);
+  if (pluck != solids.plucks.end()) {
+    return Cause{fmt::format("pluck '{}'", pluck->name), pluck->place.where};
+  }
+  return is_deformed ? std::optional(Cause{"its prestress", solids.bodies[body].prestress->where}) : std::nullopt;
+}
+
+/// Displacements of the body's nodes. @throws deck::DeckError, as static_equilibrium()
+std::vector<double> solve(Equilibrium problem, const std::string& body, const Cause& cause) {
+  if (!problem.is_held()) {
+    throw deck::DeckError(cause.where, fmt::format("body '{}' has no rest under {}: nothing holds it; give it fixed "
+                                                   "groups or supports",
+                                                   body, cause.what));
+  }
+  NewtonSolver newton(problem);
+  const std::array increments = {1, 4, 16, 64};
+  if (std::ranges::none_of(increments, [&](int count) { return newton.solve(count); })) {
+    throw deck::DeckError(
+        cause.where,
+        fmt::format("no static equilibrium of body '{}' under {} was found, not even in {} increments of the load; "
+                    "is the force too large, or is the body free to turn?",
+                    body, cause.what, increments.back()));
+  }
+  std::vector<double> displacement(problem.size());
+  newton.copy_to(displacement);
+  return displacement;
+}
+
+}  // namespace
+
 std::vector<double> static_equilibrium(const scene::Solids& solids, const mesh::Part& part,
                                        const Attachments& attachments, const FiniteElementDynamics& dynamics) {
+  const std::vector<char> deformed = deformed_by_prestress(solids, part, dynamics, MPI_COMM_SELF);
   std::vector<double> displacement;
   for (std::size_t b = 0; b < solids.bodies.size(); ++b) {
-    const auto pluck = std::ranges::find(solids.plucks, b, &scene::Pluck::body);
-    if (pluck == solids.plucks.end()) {
+    const scene::Body& body = solids.bodies[b];
+    const bool is_plucked = std::ranges::find(solids.plucks, b, &scene::Pluck::body) != solids.plucks.end();
+    const std::optional<Cause> cause = cause_of(solids, b, deformed[b] != 0);
+    if (!cause || (body.modal && !is_plucked)) {
       continue;
     }
-    Equilibrium problem(solids, part, attachments, dynamics, b);
-    if (!problem.is_held()) {
-      throw deck::DeckError(
-          pluck->place.where,
-          fmt::format("body '{}' can't be plucked: nothing holds it; give it fixed groups or supports",
-                      solids.bodies[b].name));
-    }
-    NewtonSolver newton(problem);
-    const std::array increments = {1, 4, 16, 64};
-    if (std::ranges::none_of(increments, [&](int count) { return newton.solve(count); })) {
-      throw deck::DeckError(
-          pluck->place.where,
-          fmt::format(
-              "no static equilibrium of body '{}' under pluck '{}' was found, not even in {} increments of the load; "
-              "is the force too large, or is the body free to turn?",
-              solids.bodies[b].name, pluck->name, increments.back()));
+    std::vector<double> u = solve({solids, part, attachments, dynamics, b, true}, body.name, *cause);
+    if (body.modal && deformed[b] != 0) {  // its modes move it about where its prestress leaves it
+      const std::vector<double> rest = solve({solids, part, attachments, dynamics, b, false}, body.name, *cause);
+      std::ranges::transform(u, rest, u.begin(), std::minus());
     }
     displacement.resize(3UL * part.global_nodes);
-    newton.copy_to(std::span(displacement).subspan(3UL * part.bodies[b].owned_begin, problem.size()));
+    std::ranges::copy(u, displacement.begin() + 3L * part.bodies[b].owned_begin);
   }
   return displacement;
 }

@@ -1,5 +1,5 @@
 #pragma once
-// Where a body rests under its plucks: the start of a released pluck, by PETSc's SNES.
+// Where a body rests under its plucks and its prestress: the start of a run, by PETSc's SNES.
 
 #include <vector>
 
@@ -7,14 +7,16 @@
 
 namespace idiophone::motion {
 
-/// Displacements of all nodes in the initial state: bodies with plucks in static equilibrium under these, gravity,
-/// their supports and constraints, with large displacements; other bodies undisplaced. Runs on one rank, so that its
-/// numbers do not depend on how many there are. The load grows in more and more increments until Newton's method
+/// Displacements of all nodes in the initial state: bodies with plucks, and those that their prestress deforms, in
+/// static equilibrium under both, gravity, their supports and constraints, with large displacements; other bodies
+/// undisplaced. A modal body is displaced from where its prestress leaves it, by its plucks. Runs on one rank, so that
+/// its numbers do not depend on how many there are. The load grows in more and more increments until Newton's method
 /// converges.
 /// @param dynamics  of the whole mesh, on this rank alone
 /// @param part      the whole mesh as one part
-/// @return [3 x global nodes], m; empty where nothing is plucked
-/// @throws deck::DeckError, pointing at the pluck, where the body is not held or no equilibrium is found
+/// @return [3 x global nodes], m; empty where nothing is displaced
+/// @throws deck::DeckError, pointing at the pluck or the prestress, where the body is not held or no equilibrium is
+/// found
 [[nodiscard]] std::vector<double> static_equilibrium(const scene::Solids& solids, const mesh::Part& part,
                                                      const Attachments& attachments,
                                                      const FiniteElementDynamics& dynamics);

@@ -48,6 +48,20 @@ StiffnessMatrix stiffness_matrix(const Elasticity& elasticity) {
   return c;
 }
 
+Eigen::Matrix3d stress_of(const Elasticity& elasticity, const Eigen::Matrix3d& strain) {
+  Eigen::Vector<double, 6> e;
+  for (int p = 0; p < 6; ++p) {
+    e[p] = (p < 3 ? 1 : 2) * strain(direction_pairs[p][0], direction_pairs[p][1]);
+  }
+  const Eigen::Vector<double, 6> s = stiffness_matrix(elasticity) * e;
+  Eigen::Matrix3d stress;
+  for (int p = 0; p < 6; ++p) {
+    const auto& [i, j] = direction_pairs[p];
+    stress(i, j) = stress(j, i) = s[p];
+  }
+  return stress;
+}
+
 PackSymmetric strain_of(const Elasticity& elasticity, const Eigen::Matrix3d& stress) {
   Eigen::Vector<double, 6> s;
   for (int p = 0; p < 6; ++p) {

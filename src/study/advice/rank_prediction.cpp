@@ -59,8 +59,8 @@ RankPrediction predict_ranks(const bodies::Preparation& ready, const std::vector
       coupled);
   result.step = step_time(result.steps, network);
   result.speed_up = one.whole / result.step.whole;
-  constexpr double of_files = 16e6;                    // what a run holds besides: 11 to 21 MB were measured
-  const bool needs_all = !ready.scene.plucks.empty();  // for their static equilibrium
+  constexpr double of_files = 16e6;  // what a run holds besides: 11 to 21 MB were measured
+  const bool needs_all = !ready.initial_state.displacement.empty();  // for a static equilibrium
   result.root_memory = std::max(result.memory, loop::peak_memory() + of_files - (needs_all ? 0.0 : elsewhere));
   return result;
 }

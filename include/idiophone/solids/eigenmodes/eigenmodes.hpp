@@ -1,6 +1,6 @@
 #pragma once
-// Small free vibrations of a body, or of several that joints tie together, about the undeformed state, as a deck holds
-// them: K x = (2 pi f)^2 M x, by SLEPc.
+// Small free vibrations of a body, or of several that joints tie together, about where they rest, as a deck holds them:
+// K x = (2 pi f)^2 M x, by SLEPc.
 
 #include <mpi.h>
 

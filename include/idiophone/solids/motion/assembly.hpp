@@ -10,6 +10,7 @@
 
 #include "idiophone/foundation/parallel/petsc.hpp"
 #include "idiophone/solids/mesh/part.hpp"
+#include "idiophone/solids/solid/solid.hpp"
 
 namespace idiophone::motion {
 
@@ -38,6 +39,17 @@ using ElementMatrix = std::function<Eigen::MatrixXd(std::size_t place)>;
 /// @throws std::runtime_error where PETSc can't
 void add_elements(const mesh::BodyPart& body, const Components& components, const ElementMatrix& element_matrix,
                   Mat matrix);
+
+/// Which elasticity of a region of a solid.
+using Moduli = const solid::Elasticity& (solid::Solid::*)(std::size_t region) const;
+
+/// Adds the tangent stiffness of a body's elements about displacements, its prestress included. The caller assembles
+/// the matrix.
+/// @param body   of the part
+/// @param state  [local nodes]
+/// @throws std::runtime_error where PETSc can't
+void add_tangent_stiffness(const mesh::Part& part, const mesh::BodyPart& body, const solid::Solid& solid, Moduli moduli,
+                           std::span<const solid::NodeState> state, const Components& components, Mat matrix);
 
 /// Adds a matrix between local nodes, [3 nodes x 3 nodes] as an element's. The caller assembles the sum.
 /// @throws std::runtime_error where PETSc can't

@@ -52,8 +52,8 @@ struct InitialState {
 
 /// The same on all ranks. Collective. See find_stable_steps and static_equilibrium for what it throws.
 /// @param step              that the deck asks for, s; none where the program chooses it
-/// @param meshes            on rank 0, of all bodies; ignored elsewhere. Where there are plucks, rank 0 computes with
-///                          all of them
+/// @param meshes            on rank 0, of all bodies; ignored elsewhere. Where there are plucks, or a prestress
+///                          deforms a body, rank 0 computes with all of them
 /// @param part              of this rank
 /// @param contact_surfaces  rank 0 chooses their stiffness here
 /// @param models            of the bodies that do not consist of finite elements

@@ -1,7 +1,9 @@
 #pragma once
-// Whether a body stays at rest under its prestress.
+// Whether a body keeps its undeformed shape under its prestress.
 
 #include <mpi.h>
+
+#include <vector>
 
 #include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/mesh/part.hpp"
@@ -9,11 +11,11 @@
 
 namespace idiophone::motion {
 
-/// Checks that the prestress of each body pulls on nothing that is free to move: its undeformed shape is in
-/// equilibrium, as that of a string along its stress whose ends are held. Collective.
+/// Whether the prestress of each body deforms it: it stretches the body, or pulls on nodes that are free to move. A
+/// string whose ends are held stays as it is under a stress along it. Collective.
 /// @param part  of this rank
-/// @throws std::runtime_error, pointing at the prestress in the deck, where it is not
-void check_prestress(const scene::Solids& solids, const mesh::Part& part, const FiniteElementDynamics& dynamics,
-                     MPI_Comm communicator);
+/// @return [bodies] 1: deformed; 0: not
+[[nodiscard]] std::vector<char> deformed_by_prestress(const scene::Solids& solids, const mesh::Part& part,
+                                                      const FiniteElementDynamics& dynamics, MPI_Comm communicator);
 
 }  // namespace idiophone::motion

@@ -65,6 +65,10 @@ using Elasticity = std::variant<IsotropicElasticity, AnisotropicElasticity>;
 
 [[nodiscard]] StiffnessMatrix stiffness_matrix(const Elasticity& elasticity);
 
+/// The stress that a strain makes, Pa.
+/// @param strain  symmetric
+[[nodiscard]] Eigen::Matrix3d stress_of(const Elasticity& elasticity, const Eigen::Matrix3d& strain);
+
 /// The strain that makes a stress, the same in all lanes.
 /// @param stress  Pa, symmetric
 [[nodiscard]] PackSymmetric strain_of(const Elasticity& elasticity, const Eigen::Matrix3d& stress);

@@ -13,7 +13,7 @@ namespace idiophone::solid {
 struct OrientedMaterial {
   scene::Material material;
   Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  ///< of a material that is not isotropic, in the columns
-  Eigen::Matrix3d stress = Eigen::Matrix3d::Zero();    ///< where the body rests (scene::Prestress), Pa
+  Eigen::Matrix3d stress = Eigen::Matrix3d::Zero();    ///< of the undeformed body (scene::Prestress), Pa
 };
 
 /// Those of a body's regions; of a body without regions, that of all of it. [regions]

@@ -1,0 +1,27 @@
+#pragma once
+// Where bodies rest under their prestress: their modes are about there.
+
+#include <mpi.h>
+
+#include <vector>
+
+#include "idiophone/scene/solids.hpp"
+#include "idiophone/solids/motion/assembly.hpp"
+#include "idiophone/solids/motion/dynamics.hpp"
+
+namespace idiophone::eigenmodes {
+
+/// Displacements of the nodes in static equilibrium under the prestress, with large displacements; zero where it
+/// deforms nothing. By Newton's method on all ranks, with the elastic moduli at rest. Gravity is left out.
+/// Collective.
+/// @param components  that are free
+/// @return [local nodes]
+/// @throws deck::DeckError, pointing at the prestress, where the body is not held, is joined to others, or no
+/// equilibrium is
+///         found
+[[nodiscard]] std::vector<solid::NodeState> rest_under_prestress(const scene::Solids& solids, const mesh::Part& part,
+                                                                 const motion::FiniteElementDynamics& dynamics,
+                                                                 const motion::Components& components,
+                                                                 MPI_Comm communicator);
+
+}  // namespace idiophone::eigenmodes
