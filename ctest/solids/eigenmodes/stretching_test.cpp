@@ -218,5 +218,13 @@ TEST(Stretching, IsThatOfTheFreeBodyOnSoftSupports) {
   EXPECT_NEAR(of_first_bending(20.0) / free, 1.0, 1e-3);
 }
 
+TEST(Stretching, IsRefusedAboutADeformedShape) {
+  VibratingBody plate = block(element::hex(3, 2), {0.2, 0.12, 0.002}, {2, 2, 1});
+  plate.fix("x0");
+  plate.scene.bodies[0].prestress.emplace().stress(1, 1) = 1e6;
+  const Modes found = plate.find({.count = 1}, MPI_COMM_SELF);
+  EXPECT_THROW((void)stretching_of(found, plate.scene, plate.part, plate.attachments, 1e-6), std::runtime_error);
+}
+
 }  // namespace
 }  // namespace idiophone::eigenmodes

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <random>
+#include <stdexcept>
 
 #include "rigid_motions.hpp"
 #include "static_stretch.hpp"
@@ -78,6 +79,12 @@ Eigen::MatrixXd without_rigid_motions(const Eigen::MatrixXd& shapes, const Opera
 
 modal_bodies::Stretching find_stretching(const Operators& operators, const mesh::Part& part,
                                          const modal_bodies::ModalBasis& basis, double shift, double tolerance) {
+  if (operators.is_deformed()) {
+    throw std::runtime_error(
+        "the prestress deforms the body, and large_amplitudes are possible about the undeformed shape only: give a "
+        "stress "
+        "that pulls on held faces only, or leave out large_amplitudes");
+  }
   const solid::Solid& solid = operators.dynamics().solid(0);
   std::vector<solid::StiffnessMatrix> stiffness;
   for (std::size_t region = 0; region < solid.region_count(); ++region) {

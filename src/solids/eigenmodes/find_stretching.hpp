@@ -12,6 +12,7 @@ namespace idiophone::eigenmodes {
 /// @param basis      modes, masses and whether the body is free
 /// @param shift      far below the lowest mode, (rad/s)^2
 /// @param tolerance  share of the energy of stretching that may be left out
+/// @throws std::runtime_error where a prestress deforms the body
 [[nodiscard]] modal_bodies::Stretching find_stretching(const Operators& operators, const mesh::Part& part,
                                                        const modal_bodies::ModalBasis& basis, double shift,
                                                        double tolerance);

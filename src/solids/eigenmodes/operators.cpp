@@ -8,6 +8,7 @@
 #include "idiophone/foundation/parallel/reduce.hpp"
 #include "idiophone/solids/joints/joints.hpp"
 #include "idiophone/solids/motion/ghost_exchange.hpp"
+#include "idiophone/solids/motion/prestress_balance.hpp"
 #include "idiophone/solids/solid/consistent_mass.hpp"
 #include "rest.hpp"
 
@@ -57,7 +58,13 @@ Operators::Operators(const scene::Solids& solids, const mesh::Part& part, const 
   dynamics_.loads().add_support_stiffness(support_);
   dynamics_.loads().add_support_damping(dashpot_);
   size_ = parallel::sum(components_.end - components_.begin, communicator);
-  assemble(part, rest_under_prestress(solids, part, dynamics_, components_, communicator), mass, communicator);
+  const std::vector<char> deformed = motion::deformed_by_prestress(solids, part, dynamics_, communicator);
+  is_deformed_ = std::ranges::count(deformed, 1) > 0;
+  std::vector<solid::NodeState> rest(part.node_ids.size());
+  if (is_deformed_) {
+    rest = rest_under_prestress(solids, part, dynamics_, components_, communicator);
+  }
+  assemble(part, rest, mass, communicator);
 }
 
 void Operators::assemble(const mesh::Part& part, std::span<const solid::NodeState> rest, MassMatrix mass,

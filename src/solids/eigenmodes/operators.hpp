@@ -26,6 +26,7 @@ class Operators : public EigenProblem {
   [[nodiscard]] Mat mass() const override { return mass_; }
   [[nodiscard]] PetscInt size() const { return size_; }  ///< free components on all ranks
   [[nodiscard]] const motion::FiniteElementDynamics& dynamics() const { return dynamics_; }
+  [[nodiscard]] bool is_deformed() const { return is_deformed_; }  ///< a prestress deforms a body, on any rank
   [[nodiscard]] const std::vector<double>& support() const { return support_; }  ///< at owned nodes, N/m
   [[nodiscard]] const std::vector<double>& dashpot() const { return dashpot_; }  ///< at owned nodes, N s/m
 
@@ -55,6 +56,7 @@ class Operators : public EigenProblem {
   std::vector<double> support_;
   std::vector<double> dashpot_;
   PetscInt size_ = 0;
+  bool is_deformed_ = false;
   parallel::Handle<Mat> stiffness_;
   parallel::Handle<Mat> mass_;
 };

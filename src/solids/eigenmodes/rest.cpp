@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <stdexcept>
 #include <string>
 
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/parallel/petsc.hpp"
 #include "idiophone/foundation/parallel/reduce.hpp"
-#include "idiophone/solids/motion/prestress_balance.hpp"
 #include "with_ghosts.hpp"
 
 namespace idiophone::eigenmodes {
@@ -113,13 +113,14 @@ class Newton {
 std::vector<NodeState> rest_under_prestress(const scene::Solids& solids, const mesh::Part& part,
                                             const motion::FiniteElementDynamics& dynamics,
                                             const motion::Components& components, MPI_Comm communicator) {
-  std::vector<NodeState> state(part.node_ids.size());
-  const std::vector<char> deformed = motion::deformed_by_prestress(solids, part, dynamics, communicator);
-  const auto first = std::ranges::find(deformed, 1);
-  if (first == deformed.end()) {
-    return state;
+  if (solids.bodies.size() > 1) {
+    throw std::runtime_error(
+        "a prestress deforms one of the bodies that joints tie together, whose modes are not possible yet: leave out "
+        "the "
+        "joints");
   }
-  const scene::Body& body = solids.bodies[static_cast<std::size_t>(first - deformed.begin())];
+  std::vector<NodeState> state(part.node_ids.size());
+  const scene::Body& body = solids.bodies.front();
   const auto refuse = [&](const std::string& why) {
     throw deck::DeckError(body.prestress->where, fmt::format("bodies.{}.prestress {}", body.name, why));
   };
@@ -127,9 +128,6 @@ std::vector<NodeState> rest_under_prestress(const scene::Solids& solids, const m
   dynamics.loads().add_support_stiffness(support);
   const std::int64_t held = std::ssize(dynamics.constraints().held_components()) +
                             std::ranges::count_if(support, [](double stiffness) { return stiffness > 0; });
-  if (solids.bodies.size() > 1) {
-    refuse("deforms a body that joints tie to others, which `modes` can't compute yet: leave out the joints");
-  }
   if (parallel::sum(held, communicator) < 6) {
     refuse("deforms a body that nothing holds: give it fixed groups or supports");
   }

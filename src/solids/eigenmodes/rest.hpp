@@ -11,14 +11,13 @@
 
 namespace idiophone::eigenmodes {
 
-/// Displacements of the nodes in static equilibrium under the prestress, with large displacements; zero where it
-/// deforms nothing. By Newton's method on all ranks, with the elastic moduli at rest. Gravity is left out.
-/// Collective.
+/// Displacements of the nodes in static equilibrium under a prestress that deforms the body, with large displacements.
+/// By Newton's method on all ranks, with the elastic moduli at rest. Gravity is left out. Collective.
+/// @param solids      one body
 /// @param components  that are free
 /// @return [local nodes]
-/// @throws deck::DeckError, pointing at the prestress, where the body is not held, is joined to others, or no
-/// equilibrium is
-///         found
+/// @throws deck::DeckError, pointing at the prestress, where the body is not held or no equilibrium is found;
+///         std::runtime_error where there are several bodies
 [[nodiscard]] std::vector<solid::NodeState> rest_under_prestress(const scene::Solids& solids, const mesh::Part& part,
                                                                  const motion::FiniteElementDynamics& dynamics,
                                                                  const motion::Components& components,
