@@ -18,10 +18,11 @@ constexpr double dt = 1e-3;  // s
 /// Two cubes of 1 m, one above the other with a gap, of 1 kg each, with one contact.
 class TwoCubes {
  public:
-  explicit TwoCubes(MPI_Comm communicator, scene::Contact contact = {}) : communicator_(communicator) {
+  /// @param cells  along each edge
+  explicit TwoCubes(MPI_Comm communicator, scene::Contact contact = {}, int cells = 2) : communicator_(communicator) {
     std::vector<mesh::Mesh> meshes;
     for (const double height : {0.0, 1.01}) {
-      mesh::Mesh mesh = support::block_mesh(element::tet4, {1, 1, 1}, {2, 2, 2});
+      mesh::Mesh mesh = support::block_mesh(element::tet4, {1, 1, 1}, {cells, cells, cells});
       for (Vector3& node : mesh.nodes) {
         node.z() += height;
       }
@@ -139,6 +140,40 @@ ON_RANKS(1, 3);
 TEST(Contacts, ForcesHaveTheSameBitsOnAnyNumberOfRanks) {
   expect_the_same_bits(rough());
   expect_the_same_bits(rough_with_memory());
+}
+
+/// Rubs the cubes on each other at a corner, lifts the upper one so fast that all ranks join, and puts it down on the
+/// whole lower one before ranks send bonds again. Returns how many ranks were too far from the corner to take part.
+int rub_lift_and_put_down(const Vector3& corner) {
+  TwoCubes shared(MPI_COMM_WORLD, rough(), 7), alone(MPI_COMM_SELF, rough(), 7);
+  const auto compute = [&](const Vector3& shift, const Vector3& velocity) {
+    for (TwoCubes* cubes : {&shared, &alone}) {
+      cubes->compute({Vector3::Zero(), shift}, {Vector3::Zero(), velocity});
+    }
+  };
+  for (int step = 0; step < 4; ++step) {
+    compute(corner - Vector3(0, 0, 0.03), Vector3(0.5, 0, 0));
+  }
+  EXPECT_LT(alone.force_on(1).x(), -1e-5);  // friction, by bonds
+  int far = shared.contacts().owned_near().empty() ? 1 : 0;
+  MPI_Allreduce(MPI_IN_PLACE, &far, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
+  compute(corner + Vector3(0, 0, 0.01), Vector3(0, 0, 60));
+  EXPECT_EQ(alone.force_on(1), Vector3::Zero());
+  compute(Vector3(0.01, 0.01, -0.03), Vector3::Zero());
+  EXPECT_GT(alone.force_on(1).z(), 1.0);
+  EXPECT_EQ(shared.forces(), alone.forces());
+  EXPECT_EQ(shared.energy(), alone.energy());
+  return far;
+}
+
+TEST(Contacts, ARankThatJoinsClearsBondsInTheSameStepAsTheirOwners) {
+  int far = 0;
+  for (const double x : {-0.95, 0.95}) {
+    for (const double y : {-0.95, 0.95}) {
+      far += rub_lift_and_put_down({x, y, 0});
+    }
+  }
+  EXPECT_EQ(far > 0, parallel::size_of(MPI_COMM_WORLD) > 1);
 }
 
 TEST(Contacts, AnImpactKeepsMomentumAndEnergyAndExchangesVelocities) {

@@ -60,7 +60,7 @@ class Interaction {
   /// Those computed so far.
   [[nodiscard]] Overlaps& overlaps() { return overlaps_; }
 
-  /// Computes forces from the overlaps, which must be complete.
+  /// Computes forces from the overlaps, which must be complete. Nodes that touch no more lose their bonds.
   void compute_forces(BondUpdate bonds);
 
   /// Clears overlaps, forces and bonds.
@@ -103,7 +103,6 @@ class Interaction {
   const RigidShape* shape_ = nullptr;
   NearPairs near_pairs_;
   Overlaps overlaps_;
-  std::array<std::vector<Index>, 2> touched_before_;
   double load_ = 0.0;  ///< of friction with memory: sum of pressure times surface of all nodes, N
   double deepest_ = 0.0;
 };

@@ -139,6 +139,7 @@ void NeighbourExchange::take_nodes(const std::vector<double>& message, Peer& pee
     const auto place = static_cast<Index>(row[0]);
     peer.nodes.at(s).push_back(place);
     sides_[s]->bond[place] = {Vector3(row + 1), row[4]};
+    sides_[s]->bonded.push_back(place);
   }
 }
 

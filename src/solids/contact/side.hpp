@@ -46,6 +46,7 @@ struct Side {
   std::vector<Touch> touch;        ///< [skin nodes]
   std::vector<Bond> bond;          ///< [skin nodes]
   std::vector<Index> touched;      ///< nodes with a touch, in the order in which they were found
+  std::vector<Index> bonded;       ///< nodes that may have a bond: touched in the last step, or sent by their owner
 
   [[nodiscard]] Tetrahedron tetrahedron(Index cell) const {
     const auto& nodes = skin.cells[cell];
