@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "parts.hpp"
 #include "side_cell.hpp"
 
 namespace idiophone::contact {
@@ -39,6 +40,9 @@ void Interaction::compute_forces(BondUpdate bonds) {
     }
     side->bonded = side->touched;
     compute_normal_pressure(*side);
+  }
+  if (is_with_itself()) {
+    choose_parts(overlaps_.faces(), side(0));
   }
   compute_friction(bonds);
   add_nodal_forces();

@@ -67,8 +67,8 @@ class Interaction {
   void release();
 
   [[nodiscard]] double energy() const;  ///< stored in overlaps and bonds, J
-  /// The contact as a whole, now; all zero where nothing touches. Of a body with itself: what acts on the parts that
-  /// the contact presses towards larger x, y or z, along whichever of them it presses most.
+  /// The contact as a whole, now; all zero where nothing touches. Of a body with itself: what acts on the first parts
+  /// (parts.hpp).
   [[nodiscard]] ContactMotion motion() const;
   [[nodiscard]] double deepest() const { return deepest_; }  ///< V_i/A over the touching surface, largest so far, m
   void set_deepest(double deepest) { deepest_ = deepest; }
@@ -92,7 +92,6 @@ class Interaction {
     return {both_.data(), both_[1] != nullptr && !is_with_itself() ? 2U : 1U};
   }
   [[nodiscard]] Side& side(int which) const { return *both_.at(static_cast<std::size_t>(which)); }
-  [[nodiscard]] int axis_of_pressure() const;
   static Touch& touch_of(Side& side, Index node);
 
   scene::Friction friction_;

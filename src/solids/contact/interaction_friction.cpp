@@ -32,7 +32,7 @@ void Interaction::rub(Side& side, BondUpdate bonds) const {
     Touch& touch = side.touch[node];
     Bond& bond = side.bond[node];
     if (touch.pressure == 0) {
-      bond = {};
+      bond.let_go();
       continue;
     }
     const Vector3 normal = touch.area.normalized();
@@ -59,7 +59,7 @@ Vector3 Interaction::coulomb_pull(const Vector3& slip, const Vector3& normal, do
     limit_stretch(slip, depth, bond);
   }
   Vector3 pull = bond.stretch / depth;
-  if (bond.sliding == 0) {
+  if (!bond.sliding) {
     pull += damping_ / depth * slip;  // contact damping acts along the surface, too, while the bond holds
     pull *= std::min(1.0, friction_.sticking / std::max(pull.norm(), 1e-300));
   }
@@ -68,10 +68,9 @@ Vector3 Interaction::coulomb_pull(const Vector3& slip, const Vector3& normal, do
 
 void Interaction::limit_stretch(const Vector3& slip, double depth, Bond& bond) const {
   const double stretch = bond.stretch.norm();
-  const bool slides = bond.sliding != 0 ? bond.stretch.dot(slip) > 0 : stretch > friction_.sticking * depth;
-  bond.sliding = slides ? 1 : 0;
+  bond.sliding = bond.sliding ? bond.stretch.dot(slip) > 0 : stretch > friction_.sticking * depth;
   // A bond that slides pulls with all that sliding friction can; one that holds, not with more than it can hold.
-  const double limit = slides ? friction_.sliding * depth : std::min(stretch, friction_.sticking * depth);
+  const double limit = bond.sliding ? friction_.sliding * depth : std::min(stretch, friction_.sticking * depth);
   if (stretch > 0) {
     bond.stretch *= limit / stretch;
   }

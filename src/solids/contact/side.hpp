@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "idiophone/foundation/parallel/archive_row.hpp"
 #include "idiophone/solids/contact/rigid_shape.hpp"
 #include "idiophone/solids/contact/skin.hpp"
 #include "tetrahedron.hpp"
@@ -22,10 +23,22 @@ struct Touch {
   Vector3 friction = Vector3::Zero();  ///< tangential traction, Pa
 };
 
-/// How far friction has stretched the bond between a node and the partner, and whether it slides.
+/// What a node remembers from step to step while it touches the partner.
 struct Bond {
-  Vector3 stretch = Vector3::Zero();  ///< m
-  double sliding = 0.0;               ///< 1: slides, 0: sticks; a number, as it is sent and saved with the stretch
+  Vector3 stretch = Vector3::Zero();  ///< by friction, m
+  bool sliding = false;               ///< or it sticks
+  int part = 0;                       ///< of a body with itself: 1, the first, or -1; 0: not yet known
+
+  /// Forgets friction.
+  void let_go() {
+    stretch.setZero();
+    sliding = false;
+  }
+  void archive(parallel::ArchiveRow& row) {
+    row.values(stretch);
+    row.value(sliding);
+    row.value(part);
+  }
 };
 
 struct Side {
