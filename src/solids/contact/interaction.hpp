@@ -81,10 +81,12 @@ class Interaction {
   /// Friction over pressure, against the motion.
   [[nodiscard]] Vector3 coulomb_pull(const Vector3& slip, const Vector3& normal, double depth, BondUpdate bonds,
                                      Bond& bond) const;
-  [[nodiscard]] Vector3 bristle_pull(const Vector3& slip, const Vector3& normal, BondUpdate bonds, Bond& bond) const;
+  [[nodiscard]] Vector3 bristle_pull(const Vector3& slip, const Vector3& normal, double share, BondUpdate bonds,
+                                     Bond& bond) const;
+  [[nodiscard]] double share_of_load(const Touch& touch) const;
   void limit_stretch(const Vector3& slip, double depth, Bond& bond) const;
   void add_nodal_forces();
-  [[nodiscard]] double energy_of_bond(const Touch& touch, const Vector3& stretch) const;
+  [[nodiscard]] double energy_of_bond(const Touch& touch, const Bond& bond) const;
   void clear();
   [[nodiscard]] bool is_with_itself() const { return both_[0] == both_[1]; }
   /// Those that are bodies', each once.

@@ -100,7 +100,7 @@ double Interaction::energy() const {
       const Touch& touch = side->touch[node];
       if (side->skin.areas[node] > 0) {
         energy += stiffness_ / 2 * touch.volume * touch.volume / side->skin.areas[node];
-        energy += energy_of_bond(touch, side->bond[node].stretch);
+        energy += energy_of_bond(touch, side->bond[node]);
       }
     }
   }

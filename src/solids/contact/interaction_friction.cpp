@@ -38,15 +38,19 @@ void Interaction::rub(Side& side, BondUpdate bonds) const {
     const Vector3 normal = touch.area.normalized();
     const Vector3 velocity = touch.slip / touch.surface;
     const Vector3 slip = velocity - velocity.dot(normal) * normal;
-    const Vector3 pull =
-        friction_.memory ? bristle_pull(slip, normal, bonds, bond) : coulomb_pull(slip, normal, depth, bonds, bond);
+    const Vector3 pull = friction_.memory ? bristle_pull(slip, normal, share_of_load(touch), bonds, bond)
+                                          : coulomb_pull(slip, normal, depth, bonds, bond);
     touch.friction = -touch.pressure * pull;
   }
 }
 
-Vector3 Interaction::bristle_pull(const Vector3& slip, const Vector3& normal, BondUpdate bonds, Bond& bond) const {
+Vector3 Interaction::bristle_pull(const Vector3& slip, const Vector3& normal, double share, BondUpdate bonds,
+                                  Bond& bond) const {
   if (bonds == BondUpdate::stretch) {
-    bond.stretch = bend(*friction_.memory, bond.stretch - bond.stretch.dot(normal) * normal, slip, load_, step_);
+    const NodeBristles before{bond.stretch - bond.stretch.dot(normal) * normal, bond.share};
+    const NodeBristles after = bend(*friction_.memory, before, slip, load_, share, step_);
+    bond.stretch = after.deflection;
+    bond.share = after.share;
   }
   return force_of_bristles(*friction_.memory, bond.stretch, slip, load_) / load_;
 }
@@ -76,12 +80,13 @@ void Interaction::limit_stretch(const Vector3& slip, double depth, Bond& bond) c
   }
 }
 
-double Interaction::energy_of_bond(const Touch& touch, const Vector3& stretch) const {
-  if (!friction_.memory) {
-    return -touch.surface / 2 * touch.friction.dot(stretch);
-  }
-  const double share = load_ > 0 ? touch.pressure * touch.surface / load_ : 0.0;
-  return share * friction_.memory->stiffness / 2 * stretch.squaredNorm();
+double Interaction::share_of_load(const Touch& touch) const {
+  return touch.pressure * touch.surface / load_;
+}
+
+double Interaction::energy_of_bond(const Touch& touch, const Bond& bond) const {
+  return friction_.memory ? bond.share * friction_.memory->stiffness / 2 * bond.stretch.squaredNorm()
+                          : -touch.surface / 2 * touch.friction.dot(bond.stretch);
 }
 
 }  // namespace idiophone::contact

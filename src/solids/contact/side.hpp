@@ -26,17 +26,20 @@ struct Touch {
 /// What a node remembers from step to step while it touches the partner.
 struct Bond {
   Vector3 stretch = Vector3::Zero();  ///< by friction, m
-  bool sliding = false;               ///< or it sticks
+  bool sliding = false;               ///< or it sticks: Coulomb's friction
+  double share = 0.0;                 ///< of friction with memory: NodeBristles::share
   int part = 0;                       ///< of a body with itself: 1, the first, or -1; 0: not yet known
 
   /// Forgets friction.
   void let_go() {
     stretch.setZero();
     sliding = false;
+    share = 0.0;
   }
   void archive(parallel::ArchiveRow& row) {
     row.values(stretch);
     row.value(sliding);
+    row.value(share);
     row.value(part);
   }
 };
