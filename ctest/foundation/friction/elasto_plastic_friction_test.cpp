@@ -64,6 +64,14 @@ TEST(ElastoPlasticFriction, NeverGivesMoreThanItWasGiven) {
   }
 }
 
+TEST(ElastoPlasticFriction, ItsViscosityVanishesWithTheLoad) {
+  const Law law{.sticking = 0.8, .sliding = 0.3, .stribeck_speed = 0.1, .viscosity = 0.1};
+  for (const double load : {0.1, 0.05, 1e-3, 1e-9, 0.0}) {  // from 1/16 N on, it counts in full
+    ElastoPlasticFriction friction(law, step, Deflection::end);
+    EXPECT_NEAR(slide(friction, -0.5, load, 4000), -load * 0.3 - std::min(0.1 * 0.5, 0.8 * load), 1e-9 * load);
+  }
+}
+
 TEST(ElastoPlasticFriction, AtTheEndOfAStepHasTheForceOfItsEnd) {
   const Law law{.sticking = 0.8, .sliding = 0.3, .stribeck_speed = 0.1, .stiffness = 1e6};
   ElastoPlasticFriction friction(law, step, Deflection::end);

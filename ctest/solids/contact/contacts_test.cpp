@@ -15,26 +15,45 @@ namespace {
 
 constexpr double dt = 1e-3;  // s
 
-/// Two cubes of 1 m, one above the other with a gap, of 1 kg each, with one contact.
+/// The first mesh with the second one as a further piece.
+mesh::Mesh joined(mesh::Mesh first, const mesh::Mesh& second) {
+  const auto nodes = static_cast<Index>(first.nodes.size());
+  first.nodes.insert(first.nodes.end(), second.nodes.begin(), second.nodes.end());
+  const auto behind = [=](Index node) { return node + nodes; };
+  std::ranges::transform(second.elements, std::back_inserter(first.elements), behind);
+  for (const auto& [a, b, c] : second.surface) {
+    first.surface.push_back({behind(a), behind(b), behind(c)});
+  }
+  first.groups.clear();
+  return first;
+}
+
+/// Two cubes of 1 m, one above the other with a gap, of 1 kg each, with one contact. `as_one` makes them pieces of one
+/// body that touches itself.
 class TwoCubes {
  public:
-  explicit TwoCubes(MPI_Comm communicator, scene::Contact contact = {}) : communicator_(communicator) {
+  /// @param cells  along each edge
+  explicit TwoCubes(MPI_Comm communicator, scene::Contact contact = {}, int cells = 2, bool as_one = false)
+      : communicator_(communicator) {
     std::vector<mesh::Mesh> meshes;
     for (const double height : {0.0, 1.01}) {
-      mesh::Mesh mesh = support::block_mesh(element::tet4, {1, 1, 1}, {2, 2, 2});
+      mesh::Mesh mesh = support::block_mesh(element::tet4, {1, 1, 1}, {cells, cells, cells});
       for (Vector3& node : mesh.nodes) {
         node.z() += height;
       }
       meshes.push_back(std::move(mesh));
     }
-    scene_.bodies.resize(2);
+    per_cube_ = static_cast<Index>(meshes[0].nodes.size());
+    if (as_one) {
+      meshes = {joined(meshes[0], meshes[1])};
+    }
+    scene_.bodies.resize(meshes.size());
     contact.name = "hit";
     contact.body = 0;
-    contact.other = 1;
+    contact.other = meshes.size() - 1;
     scene_.contacts = {contact};
     surfaces_ = find_contact_surfaces(scene_, meshes);
     surfaces_.stiffness = {1000.0};
-    per_body_ = static_cast<Index>(meshes[0].nodes.size());
     part_ = mesh::distribute(parallel::is_root(communicator) ? meshes : std::vector<mesh::Mesh>{}, communicator);
     contacts_ = std::make_unique<Contacts>(scene_, part_, surfaces_, dt, 4, communicator);
     state_.resize(part_.node_ids.size());
@@ -44,11 +63,11 @@ class TwoCubes {
   void compute(const std::array<Vector3, 2>& shift, const std::array<Vector3, 2>& velocity,
                BondUpdate bonds = BondUpdate::stretch) {
     for (std::size_t node = 0; node < state_.size(); ++node) {
-      const auto body = static_cast<std::size_t>(part_.node_ids[node] / per_body_);
+      const auto cube = static_cast<std::size_t>(part_.node_ids[node] / per_cube_);
       for (int axis = 0; axis < 3; ++axis) {
         // Not quite rigid, so that no two nodes have the same force.
-        state_[node].displacement[axis] = shift.at(body)[axis] + 1e-4 * std::sin(7.0 * part_.node_ids[node] + axis);
-        state_[node].velocity[axis] = velocity.at(body)[axis];
+        state_[node].displacement[axis] = shift.at(cube)[axis] + 1e-4 * std::sin(7.0 * part_.node_ids[node] + axis);
+        state_[node].velocity[axis] = velocity.at(cube)[axis];
       }
     }
     contacts_->compute_forces(step_++, state_, bonds);
@@ -68,12 +87,12 @@ class TwoCubes {
     return all;
   }
 
-  /// On one of the bodies.
-  [[nodiscard]] Vector3 force_on(std::size_t body) const {
+  /// On one of the cubes.
+  [[nodiscard]] Vector3 force_on(std::size_t cube) const {
     const std::vector<double> all = forces();
     Vector3 sum = Vector3::Zero();
-    for (Index node = 0; node < per_body_; ++node) {
-      sum += Eigen::Map<const Vector3>(&all[3 * (static_cast<Index>(body) * per_body_ + node)]);
+    for (Index node = 0; node < per_cube_; ++node) {
+      sum += Eigen::Map<const Vector3>(&all[3 * (static_cast<Index>(cube) * per_cube_ + node)]);
     }
     return sum;
   }
@@ -83,6 +102,13 @@ class TwoCubes {
     double energy = contacts_->energy(0);
     MPI_Allreduce(MPI_IN_PLACE, &energy, 1, MPI_DOUBLE, MPI_SUM, communicator_);
     return energy;
+  }
+
+  /// That the contact reports, from the one rank that does.
+  [[nodiscard]] Vector3 reported_force() const {
+    Vector3 force = contacts_->now(0).force;
+    MPI_Allreduce(MPI_IN_PLACE, force.data(), 3, MPI_DOUBLE, MPI_SUM, communicator_);
+    return force;
   }
 
   void archive(support::MemoryArchive& archive) {
@@ -99,7 +125,7 @@ class TwoCubes {
   mesh::Part part_;
   std::unique_ptr<Contacts> contacts_;
   std::vector<solid::NodeState> state_;
-  Index per_body_ = 0;
+  Index per_cube_ = 0;
   std::int64_t step_ = 0;
 };
 
@@ -139,6 +165,40 @@ ON_RANKS(1, 3);
 TEST(Contacts, ForcesHaveTheSameBitsOnAnyNumberOfRanks) {
   expect_the_same_bits(rough());
   expect_the_same_bits(rough_with_memory());
+}
+
+/// Rubs the cubes on each other at a corner, lifts the upper one so fast that all ranks join, and puts it down on the
+/// whole lower one before ranks send bonds again. Returns how many ranks were too far from the corner to take part.
+int rub_lift_and_put_down(const Vector3& corner) {
+  TwoCubes shared(MPI_COMM_WORLD, rough(), 7), alone(MPI_COMM_SELF, rough(), 7);
+  const auto compute = [&](const Vector3& shift, const Vector3& velocity) {
+    for (TwoCubes* cubes : {&shared, &alone}) {
+      cubes->compute({Vector3::Zero(), shift}, {Vector3::Zero(), velocity});
+    }
+  };
+  for (int step = 0; step < 4; ++step) {
+    compute(corner - Vector3(0, 0, 0.03), Vector3(0.5, 0, 0));
+  }
+  EXPECT_LT(alone.force_on(1).x(), -1e-5);  // friction, by bonds
+  int far = shared.contacts().owned_near().empty() ? 1 : 0;
+  MPI_Allreduce(MPI_IN_PLACE, &far, 1, MPI_INT, MPI_SUM, MPI_COMM_WORLD);
+  compute(corner + Vector3(0, 0, 0.01), Vector3(0, 0, 60));
+  EXPECT_EQ(alone.force_on(1), Vector3::Zero());
+  compute(Vector3(0.01, 0.01, -0.03), Vector3::Zero());
+  EXPECT_GT(alone.force_on(1).z(), 1.0);
+  EXPECT_EQ(shared.forces(), alone.forces());
+  EXPECT_EQ(shared.energy(), alone.energy());
+  return far;
+}
+
+TEST(Contacts, ARankThatJoinsClearsBondsInTheSameStepAsTheirOwners) {
+  int far = 0;
+  for (const double x : {-0.95, 0.95}) {
+    for (const double y : {-0.95, 0.95}) {
+      far += rub_lift_and_put_down({x, y, 0});
+    }
+  }
+  EXPECT_EQ(far > 0, parallel::size_of(MPI_COMM_WORLD) > 1);
 }
 
 TEST(Contacts, AnImpactKeepsMomentumAndEnergyAndExchangesVelocities) {
@@ -228,6 +288,30 @@ void expect_to_go_on_from_the_archive(const scene::Contact& contact) {
 TEST(Contacts, ContinueFromTheirArchiveToTheBit) {
   expect_to_go_on_from_the_archive(rough());
   expect_to_go_on_from_the_archive(rough_with_memory());
+}
+
+/// The upper one of two pieces of a body goes down at the side of the lower one, without leaving it.
+TEST(Contacts, OfABodyWithItselfReportTheSamePartOnAnyRanksAndAfterARestart) {
+  const auto compute = [](TwoCubes& cubes, int step, BondUpdate bonds = BondUpdate::stretch) {
+    const Vector3 shift(-0.04 * std::min(step, 24), 0, -0.05 - 0.02 * std::max(step - 24, 0));
+    const Vector3 velocity = step < 24 ? Vector3(-40, 0, 0) : Vector3(0, 0, -20);
+    cubes.compute({Vector3::Zero(), shift}, {Vector3::Zero(), velocity}, bonds);
+  };
+  TwoCubes shared(MPI_COMM_WORLD, {}, 2, true), alone(MPI_COMM_SELF, {}, 2, true);
+  support::MemoryArchive archive(MPI_COMM_WORLD);
+  for (int step = 0; step < 48; ++step) {
+    compute(shared, step);
+    compute(alone, step);
+    ASSERT_GT(shared.reported_force().dot(shared.force_on(1)), 0) << step;  // the upper one's
+    ASSERT_EQ(shared.reported_force(), alone.reported_force()) << step;
+  }
+  EXPECT_LT(shared.reported_force().x(), -0.9 * shared.reported_force().norm());
+  shared.archive(archive);
+  archive.restore();
+  TwoCubes resumed(MPI_COMM_WORLD, {}, 2, true);
+  resumed.archive(archive);
+  compute(resumed, 47, BondUpdate::keep);
+  EXPECT_EQ(resumed.reported_force(), shared.reported_force());
 }
 
 TEST(Contacts, DoNotAskForStatesWhileTheSidesAreFar) {

@@ -6,6 +6,7 @@
 
 #include "cell_neighbours.hpp"
 #include "overlapping_blocks.hpp"
+#include "parts.hpp"
 #include "ranks.hpp"
 
 namespace idiophone::contact {
@@ -40,6 +41,42 @@ std::vector<Index> all_cells(const Skin& skin) {
   std::vector<Index> all(skin.cells.size());
   std::iota(all.begin(), all.end(), 0);
   return all;
+}
+
+/// Two blocks that press on each other along z, as one body.
+struct TwoPieces {
+  TwoPieces()
+      : upper(
+            element::tet4, {0.7, 0.8, 0.5}, {2, 1, 1},
+            [shake = Shaker(0.02)](const Vector3& x) mutable { return Vector3(shake(x) + Vector3(0.13, 0.11, 0.45)); }),
+        lower(element::tet4, {1, 1, 0.5}, {2, 2, 1}, Shaker(0.02)),
+        skin(united(upper, lower)),
+        side(skin),
+        interaction({}, layer, time_step, side, side) {
+    turn(Eigen::Matrix3d::Identity());
+    interaction.choose_candidates(all_cells(skin), all_cells(skin), 1.0);
+    compute(interaction);
+  }
+
+  /// Puts both where they are after a turn from the beginning.
+  void turn(const Eigen::Matrix3d& rotation) {
+    std::size_t place = 0;
+    for (const Block* block : {&upper, &lower}) {
+      for (const Vector3& x : block->side.position) {
+        side.position[place++] = rotation * x;
+      }
+    }
+  }
+
+  Block upper;
+  Block lower;
+  Skin skin;
+  Side side;
+  Interaction interaction;
+};
+
+Eigen::Matrix3d rotation(double degrees, const Vector3& axis) {
+  return Eigen::AngleAxisd(degrees * M_PI / 180, axis.normalized()).toRotationMatrix();
 }
 
 /// A strip of 12 cells along x, bent to a ring by more than one turn: its ends lie in each other.
@@ -94,10 +131,39 @@ TEST(SelfContact, OfTwoPiecesIsThatOfTwoBodies) {
       EXPECT_NEAR((both.force[place] - side->force[node]).norm(), 0.0, 1e-13 * scale);
     }
   }
-  // The upper block is the one that the contact presses towards larger z.
+  // The upper block is the one that the contact presses towards larger x + y/2 + z/4.
   EXPECT_NEAR((of_one.motion().force - of_two.motion().force).norm(), 0.0, 1e-13 * scale);
   EXPECT_GT(of_one.motion().force.z(), 0.0);
   EXPECT_NEAR(of_one.motion().overlap, of_two.motion().overlap, 1e-15);
+}
+
+TEST(SelfContact, ReportsTheForceOnTheSamePartWhileABodyTurns) {
+  for (const Vector3& axis : {Vector3(1, 0, 0), Vector3(0, 1, 0), Vector3(1, 2, 0.5)}) {
+    TwoPieces body;
+    const Vector3 force = body.interaction.motion().force, normal = body.interaction.motion().normal;
+    ASSERT_GT(force.z(), 0.9 * force.norm());
+    for (int degrees = 0; degrees < 360; degrees += 5) {
+      const Eigen::Matrix3d turned = rotation(degrees, axis);
+      body.turn(turned);
+      compute(body.interaction);
+      ASSERT_LT((body.interaction.motion().force - turned * force).norm(), 1e-9 * force.norm()) << degrees;
+      ASSERT_LT((body.interaction.motion().normal - turned * normal).norm(), 1e-9) << degrees;
+    }
+  }
+}
+
+TEST(SelfContact, ReportsOneOfTwoForcesByTheDirectionInWhichTheTouchBegins) {
+  TwoPieces body;
+  const Vector3 force = body.interaction.motion().force;
+  for (int degrees = 0; degrees < 360; degrees += 5) {
+    const Eigen::Matrix3d turned = rotation(degrees, {0.2, 1, 0});
+    const double sign = (turned * force).dot(towards_first) > 0 ? 1 : -1;
+    body.interaction.release();
+    body.turn(turned);
+    body.interaction.choose_candidates(all_cells(body.skin), all_cells(body.skin), 1.0);
+    compute(body.interaction);
+    ASSERT_LT((body.interaction.motion().force - sign * turned * force).norm(), 1e-9 * force.norm()) << degrees;
+  }
 }
 
 TEST(SelfContact, OfAStripActsWhereItsEndsMeet) {

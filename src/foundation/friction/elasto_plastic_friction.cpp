@@ -44,6 +44,10 @@ double damping(const Law& law, double speed, double load) {
   return law.damping / (1.0 + 0.25 * law.damping * speed / (law.sliding * load));
 }
 
+double viscosity(const Law& law, double speed, double load) {
+  return law.viscosity * speed > law.sticking * load ? law.sticking * load / speed : law.viscosity;
+}
+
 ElastoPlasticFriction::ElastoPlasticFriction(const Law& law, double step, Deflection deflection)
     : law_(law), share_(deflection == Deflection::mean ? 0.5 : 1.0), reach_(share_ * step) {}
 
@@ -58,7 +62,8 @@ double ElastoPlasticFriction::force(double velocity, double load) const {
   }
   const double used = used_deflection(velocity, load);
   const double rate = (used - deflection_) / reach_;
-  return law_.stiffness * used + damping(law_, std::abs(velocity), load) * rate + law_.viscosity * velocity;
+  const double speed = std::abs(velocity);
+  return law_.stiffness * used + damping(law_, speed, load) * rate + viscosity(law_, speed, load) * velocity;
 }
 
 double ElastoPlasticFriction::velocity(double free, double mobility, double load) const {

@@ -240,9 +240,7 @@ void Contacts::archive(parallel::Archive& archive, const parallel::Rows& nodes) 
     pair->for_each_bond([&](Bond& bond, Index node) { bonds[node] = &bond; });
     archive.rows(path + "/bonds", nodes, [&](std::size_t node, parallel::ArchiveRow& row) {
       Bond none;
-      Bond& bond = bonds[node] != nullptr ? *bonds[node] : none;
-      row.values(bond.stretch);
-      row.value(bond.sliding);
+      (bonds[node] != nullptr ? *bonds[node] : none).archive(row);
     });
   }
 }

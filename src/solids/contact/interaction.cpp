@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "parts.hpp"
 #include "side_cell.hpp"
 
 namespace idiophone::contact {
@@ -31,14 +32,17 @@ void Interaction::find_near_pairs() {
 
 void Interaction::compute_forces(BondUpdate bonds) {
   gather_touches();
-  for (std::size_t which = 0; which < sides().size(); ++which) {
-    Side& side = this->side(static_cast<int>(which));
-    for (const Index node : touched_before_.at(which)) {
-      if (!side.touch[node].any) {
-        side.bond[node] = {};
+  for (Side* side : sides()) {
+    for (const Index node : side->bonded) {
+      if (!side->touch[node].any) {
+        side->bond[node] = {};
       }
     }
-    compute_normal_pressure(side);
+    side->bonded = side->touched;
+    compute_normal_pressure(*side);
+  }
+  if (is_with_itself()) {
+    choose_parts(overlaps_.faces(), side(0));
   }
   compute_friction(bonds);
   add_nodal_forces();
@@ -46,23 +50,21 @@ void Interaction::compute_forces(BondUpdate bonds) {
 
 void Interaction::release() {
   clear();
-  for (std::size_t which = 0; which < sides().size(); ++which) {
-    for (const Index node : touched_before_.at(which)) {
-      side(static_cast<int>(which)).bond[node] = {};
+  for (Side* side : sides()) {
+    for (const Index node : side->bonded) {
+      side->bond[node] = {};
     }
-    touched_before_.at(which).clear();
+    side->bonded.clear();
   }
   near_pairs_.clear_all();
 }
 
 void Interaction::clear() {
-  for (std::size_t which = 0; which < sides().size(); ++which) {
-    Side& side = this->side(static_cast<int>(which));
-    for (const Index node : side.touched) {
-      side.touch[node] = {};
+  for (Side* side : sides()) {
+    for (const Index node : side->touched) {
+      side->touch[node] = {};
     }
-    touched_before_.at(which).swap(side.touched);
-    side.touched.clear();
+    side->touched.clear();
   }
   near_pairs_.clear();
   overlaps_.clear();

@@ -60,15 +60,15 @@ class Interaction {
   /// Those computed so far.
   [[nodiscard]] Overlaps& overlaps() { return overlaps_; }
 
-  /// Computes forces from the overlaps, which must be complete.
+  /// Computes forces from the overlaps, which must be complete. Nodes that touch no more lose their bonds.
   void compute_forces(BondUpdate bonds);
 
   /// Clears overlaps, forces and bonds.
   void release();
 
   [[nodiscard]] double energy() const;  ///< stored in overlaps and bonds, J
-  /// The contact as a whole, now; all zero where nothing touches. Of a body with itself: what acts on the parts that
-  /// the contact presses towards larger x, y or z, along whichever of them it presses most.
+  /// The contact as a whole, now; all zero where nothing touches. Of a body with itself: what acts on the first parts
+  /// (parts.hpp).
   [[nodiscard]] ContactMotion motion() const;
   [[nodiscard]] double deepest() const { return deepest_; }  ///< V_i/A over the touching surface, largest so far, m
   void set_deepest(double deepest) { deepest_ = deepest; }
@@ -81,10 +81,12 @@ class Interaction {
   /// Friction over pressure, against the motion.
   [[nodiscard]] Vector3 coulomb_pull(const Vector3& slip, const Vector3& normal, double depth, BondUpdate bonds,
                                      Bond& bond) const;
-  [[nodiscard]] Vector3 bristle_pull(const Vector3& slip, const Vector3& normal, BondUpdate bonds, Bond& bond) const;
+  [[nodiscard]] Vector3 bristle_pull(const Vector3& slip, const Vector3& normal, double share, BondUpdate bonds,
+                                     Bond& bond) const;
+  [[nodiscard]] double share_of_load(const Touch& touch) const;
   void limit_stretch(const Vector3& slip, double depth, Bond& bond) const;
   void add_nodal_forces();
-  [[nodiscard]] double energy_of_bond(const Touch& touch, const Vector3& stretch) const;
+  [[nodiscard]] double energy_of_bond(const Touch& touch, const Bond& bond) const;
   void clear();
   [[nodiscard]] bool is_with_itself() const { return both_[0] == both_[1]; }
   /// Those that are bodies', each once.
@@ -92,7 +94,6 @@ class Interaction {
     return {both_.data(), both_[1] != nullptr && !is_with_itself() ? 2U : 1U};
   }
   [[nodiscard]] Side& side(int which) const { return *both_.at(static_cast<std::size_t>(which)); }
-  [[nodiscard]] int axis_of_pressure() const;
   static Touch& touch_of(Side& side, Index node);
 
   scene::Friction friction_;
@@ -103,7 +104,6 @@ class Interaction {
   const RigidShape* shape_ = nullptr;
   NearPairs near_pairs_;
   Overlaps overlaps_;
-  std::array<std::vector<Index>, 2> touched_before_;
   double load_ = 0.0;  ///< of friction with memory: sum of pressure times surface of all nodes, N
   double deepest_ = 0.0;
 };

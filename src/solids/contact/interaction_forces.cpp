@@ -100,35 +100,20 @@ double Interaction::energy() const {
       const Touch& touch = side->touch[node];
       if (side->skin.areas[node] > 0) {
         energy += stiffness_ / 2 * touch.volume * touch.volume / side->skin.areas[node];
-        energy += energy_of_bond(touch, side->bond[node].stretch);
+        energy += energy_of_bond(touch, side->bond[node]);
       }
     }
   }
   return energy;
 }
 
-/// 0, 1 or 2: along x, y or z.
-int Interaction::axis_of_pressure() const {
-  Vector3 pressing = Vector3::Zero();  // N
-  for (const Side* side : sides()) {
-    for (const Index node : side->touched) {
-      pressing += side->touch[node].pressure * side->touch[node].area.cwiseAbs();
-    }
-  }
-  int axis = 0;
-  pressing.maxCoeff(&axis);
-  return axis;
-}
-
 ContactMotion Interaction::motion() const {
   ContactMotion motion;
   double weight = 0.0;
-  const int axis = is_with_itself() ? axis_of_pressure() : 0;
   for (const Side* side : sides()) {
     for (const Index node : side->touched) {
       const Touch& touch = side->touch[node];
-      const bool is_of_first = is_with_itself() ? touch.area[axis] > 0 : side == both_[0];
-      const double sign = is_of_first ? 1.0 : -1.0;
+      const double sign = is_with_itself() ? side->bond[node].part : side == both_[0] ? 1.0 : -1.0;
       weight += touch.pressure * touch.surface;
       motion.point += touch.pressure * touch.moment;
       motion.normal += sign * touch.pressure * touch.area;

@@ -32,21 +32,25 @@ void Interaction::rub(Side& side, BondUpdate bonds) const {
     Touch& touch = side.touch[node];
     Bond& bond = side.bond[node];
     if (touch.pressure == 0) {
-      bond = {};
+      bond.let_go();
       continue;
     }
     const Vector3 normal = touch.area.normalized();
     const Vector3 velocity = touch.slip / touch.surface;
     const Vector3 slip = velocity - velocity.dot(normal) * normal;
-    const Vector3 pull =
-        friction_.memory ? bristle_pull(slip, normal, bonds, bond) : coulomb_pull(slip, normal, depth, bonds, bond);
+    const Vector3 pull = friction_.memory ? bristle_pull(slip, normal, share_of_load(touch), bonds, bond)
+                                          : coulomb_pull(slip, normal, depth, bonds, bond);
     touch.friction = -touch.pressure * pull;
   }
 }
 
-Vector3 Interaction::bristle_pull(const Vector3& slip, const Vector3& normal, BondUpdate bonds, Bond& bond) const {
+Vector3 Interaction::bristle_pull(const Vector3& slip, const Vector3& normal, double share, BondUpdate bonds,
+                                  Bond& bond) const {
   if (bonds == BondUpdate::stretch) {
-    bond.stretch = bend(*friction_.memory, bond.stretch - bond.stretch.dot(normal) * normal, slip, load_, step_);
+    const NodeBristles before{bond.stretch - bond.stretch.dot(normal) * normal, bond.share};
+    const NodeBristles after = bend(*friction_.memory, before, slip, load_, share, step_);
+    bond.stretch = after.deflection;
+    bond.share = after.share;
   }
   return force_of_bristles(*friction_.memory, bond.stretch, slip, load_) / load_;
 }
@@ -59,7 +63,7 @@ Vector3 Interaction::coulomb_pull(const Vector3& slip, const Vector3& normal, do
     limit_stretch(slip, depth, bond);
   }
   Vector3 pull = bond.stretch / depth;
-  if (bond.sliding == 0) {
+  if (!bond.sliding) {
     pull += damping_ / depth * slip;  // contact damping acts along the surface, too, while the bond holds
     pull *= std::min(1.0, friction_.sticking / std::max(pull.norm(), 1e-300));
   }
@@ -68,21 +72,21 @@ Vector3 Interaction::coulomb_pull(const Vector3& slip, const Vector3& normal, do
 
 void Interaction::limit_stretch(const Vector3& slip, double depth, Bond& bond) const {
   const double stretch = bond.stretch.norm();
-  const bool slides = bond.sliding != 0 ? bond.stretch.dot(slip) > 0 : stretch > friction_.sticking * depth;
-  bond.sliding = slides ? 1 : 0;
+  bond.sliding = bond.sliding ? bond.stretch.dot(slip) > 0 : stretch > friction_.sticking * depth;
   // A bond that slides pulls with all that sliding friction can; one that holds, not with more than it can hold.
-  const double limit = slides ? friction_.sliding * depth : std::min(stretch, friction_.sticking * depth);
+  const double limit = bond.sliding ? friction_.sliding * depth : std::min(stretch, friction_.sticking * depth);
   if (stretch > 0) {
     bond.stretch *= limit / stretch;
   }
 }
 
-double Interaction::energy_of_bond(const Touch& touch, const Vector3& stretch) const {
-  if (!friction_.memory) {
-    return -touch.surface / 2 * touch.friction.dot(stretch);
-  }
-  const double share = load_ > 0 ? touch.pressure * touch.surface / load_ : 0.0;
-  return share * friction_.memory->stiffness / 2 * stretch.squaredNorm();
+double Interaction::share_of_load(const Touch& touch) const {
+  return touch.pressure * touch.surface / load_;
+}
+
+double Interaction::energy_of_bond(const Touch& touch, const Bond& bond) const {
+  return friction_.memory ? bond.share * friction_.memory->stiffness / 2 * bond.stretch.squaredNorm()
+                          : -touch.surface / 2 * touch.friction.dot(bond.stretch);
 }
 
 }  // namespace idiophone::contact

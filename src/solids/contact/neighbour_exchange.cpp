@@ -13,7 +13,6 @@ namespace {
 
 enum Tag : int { tag_bounds, tag_nodes, tag_states, tag_cells, tag_faces };
 
-constexpr std::size_t bond_width = 5;   // place, stretch, sliding
 constexpr std::size_t state_width = 6;  // position, velocity
 
 /// So many pairs of cells for each rank are worth a message: it takes about as long as the overlaps of some pairs.
@@ -21,6 +20,20 @@ constexpr std::size_t least_pairs = 8;
 
 void append(const Vector3& vector, std::vector<double>& message) {
   message.insert(message.end(), vector.begin(), vector.end());
+}
+
+/// Numbers of a bond in a message, behind the place of its node.
+std::size_t bond_width() {
+  parallel::ArchiveRow numbers(parallel::ArchiveRow::Action::count);
+  Bond{}.archive(numbers);
+  return numbers.count();
+}
+
+void append(Bond bond, std::vector<double>& message) {
+  std::vector<double> values(bond_width());
+  parallel::ArchiveRow numbers(parallel::ArchiveRow::Action::save, values);
+  bond.archive(numbers);
+  message.insert(message.end(), values.begin(), values.end());
 }
 
 }  // namespace
@@ -111,10 +124,8 @@ void NeighbourExchange::send_nodes(parallel::Messages& messages) const {
   std::vector<double> message = {static_cast<double>(sent_[0].size())};
   for (std::size_t s = 0; s < sides_.size(); ++s) {
     for (const SkinNode& node : sent_[s]) {
-      const Bond& bond = sides_[s]->bond[node.place];
       message.push_back(static_cast<double>(node.place));
-      append(bond.stretch, message);
-      message.push_back(bond.sliding);
+      append(sides_[s]->bond[node.place], message);
     }
   }
   for (const Peer* peer : other_participants()) {
@@ -131,14 +142,17 @@ void NeighbourExchange::receive_nodes(const parallel::Messages& messages) {
   }
 }
 
-void NeighbourExchange::take_nodes(const std::vector<double>& message, Peer& peer) {
+void NeighbourExchange::take_nodes(std::vector<double> message, Peer& peer) {
   const auto first = static_cast<std::size_t>(message[0]);
-  for (std::size_t i = 0; bond_width * i + 1 < message.size(); ++i) {
-    const double* row = &message[1 + bond_width * i];
+  const std::size_t width = 1 + bond_width();
+  for (std::size_t i = 0; width * i + 1 < message.size(); ++i) {
+    const std::span<double> row = std::span(message).subspan(1 + width * i, width);
     const std::size_t s = i < first ? 0 : 1;
     const auto place = static_cast<Index>(row[0]);
     peer.nodes.at(s).push_back(place);
-    sides_[s]->bond[place] = {Vector3(row + 1), row[4]};
+    parallel::ArchiveRow numbers(parallel::ArchiveRow::Action::restore, row.subspan(1));
+    sides_[s]->bond[place].archive(numbers);
+    sides_[s]->bonded.push_back(place);
   }
 }
 

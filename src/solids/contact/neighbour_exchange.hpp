@@ -83,7 +83,7 @@ class NeighbourExchange {
   [[nodiscard]] bool owns_nodes() const;
   [[nodiscard]] Bounds local_bounds(std::span<const solid::NodeState> state);
   void send_nodes(parallel::Messages& messages) const;
-  void take_nodes(const std::vector<double>& message, Peer& peer);
+  void take_nodes(std::vector<double> message, Peer& peer);
   /// Peers that take part; none if this rank does not.
   [[nodiscard]] std::vector<const Peer*> other_participants() const;
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "idiophone/foundation/parallel/archive_row.hpp"
 #include "idiophone/solids/contact/rigid_shape.hpp"
 #include "idiophone/solids/contact/skin.hpp"
 #include "tetrahedron.hpp"
@@ -22,10 +23,25 @@ struct Touch {
   Vector3 friction = Vector3::Zero();  ///< tangential traction, Pa
 };
 
-/// How far friction has stretched the bond between a node and the partner, and whether it slides.
+/// What a node remembers from step to step while it touches the partner.
 struct Bond {
-  Vector3 stretch = Vector3::Zero();  ///< m
-  double sliding = 0.0;               ///< 1: slides, 0: sticks; a number, as it is sent and saved with the stretch
+  Vector3 stretch = Vector3::Zero();  ///< by friction, m
+  bool sliding = false;               ///< or it sticks: Coulomb's friction
+  double share = 0.0;                 ///< of friction with memory: NodeBristles::share
+  int part = 0;                       ///< of a body with itself: 1, the first, or -1; 0: not yet known
+
+  /// Forgets friction.
+  void let_go() {
+    stretch.setZero();
+    sliding = false;
+    share = 0.0;
+  }
+  void archive(parallel::ArchiveRow& row) {
+    row.values(stretch);
+    row.value(sliding);
+    row.value(share);
+    row.value(part);
+  }
 };
 
 struct Side {
@@ -46,6 +62,7 @@ struct Side {
   std::vector<Touch> touch;        ///< [skin nodes]
   std::vector<Bond> bond;          ///< [skin nodes]
   std::vector<Index> touched;      ///< nodes with a touch, in the order in which they were found
+  std::vector<Index> bonded;       ///< nodes that may have a bond: touched in the last step, or sent by their owner
 
   [[nodiscard]] Tetrahedron tetrahedron(Index cell) const {
     const auto& nodes = skin.cells[cell];

@@ -23,6 +23,11 @@ namespace idiophone::friction {
 /// @param load  N, above 0
 [[nodiscard]] double damping(const Law& law, double speed, double load);
 
+/// The viscosity, lower where it would pull with more than `sticking` times the load: without load there is no force,
+/// N s/m.
+/// @param load  N, not negative
+[[nodiscard]] double viscosity(const Law& law, double speed, double load);
+
 /// Which deflection of the bristles makes the force of a time step.
 enum class Deflection {
   mean,  ///< of those before and after the step
@@ -35,6 +40,7 @@ enum class Deflection {
 ///
 ///   z' = v (1 - a(z, v) z/z_v),   force = stiffness z + damping z' + viscosity v.
 ///
+/// The last of these is at most `sticking` times the load.
 /// z_v is the deflection of steady sliding: its force is load (sliding + (sticking - sliding) exp(-(v/v_s)^2)), with
 /// the sign of v. a is the share of sliding: 0 up to the break-away deflection, 1 from z_v on, and linear between; 0 if
 /// z is against v. Dupont's half sine in place of the line would not have a solution in closed form.
