@@ -1,0 +1,118 @@
+// Where a fit begins: how far all frequencies are wrong at first, and how the axes may be turned.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "halton_point.hpp"
+#include "material_fit.hpp"
+
+namespace idiophone::fitting {
+
+namespace {
+
+constexpr double judging = 100.0;         // cents; how well lines fit a start
+constexpr double largest_shift = 1000.0;  // cents, by which all frequencies may be wrong at first
+
+}  // namespace
+
+/// From the lowest lines and modes, on a coarser mesh where that is possible, until the modes belong to about the
+/// constants that they give. Of several turns of the axes, those that fit best are tried.
+void MaterialFit::begin() {
+  constexpr std::size_t most_tried = 4;
+  const std::vector<Line> lowest(lines_.begin(), lines_.begin() + std::min(first_lines, lines_.size()));
+  std::optional<StrainedBody> coarser = body_.coarser();
+  StrainedBody& body = coarser ? *coarser : body_;
+  solve_lowest(body, lowest.size());
+  std::vector<Start> starts = find_starts(lowest, body);
+  starts.resize(std::min(starts.size(), has_turns() ? most_tried : 1));
+  for (Start& start : starts) {
+    approach(lowest, body, start);
+  }
+  const Start& best = *std::ranges::min_element(starts, {}, &Start::cost);
+  material_ = best.material;
+  expected_ = best.expected;
+}
+
+void MaterialFit::solve_lowest(StrainedBody& body, std::size_t lines) {
+  modelled_ = material_;
+  model_ = body.lowest(material_, static_cast<int>(2 * lines + 5));
+  note_solve();
+}
+
+/// Solves and fits in turn.
+void MaterialFit::approach(const std::vector<Line>& lowest, StrainedBody& body, Start& start) {
+  constexpr int most_repetitions = 3;
+  material_ = start.material;
+  const FitRules rules{stages_.back(), std::max(options_.tolerance, first_tolerance / 2), &start.expected};
+  for (int turn = 0; turn < most_repetitions && distance(constants_, material_, modelled_) > nearby; ++turn) {
+    solve_lowest(body, lowest.size());
+    material_ = fit_and_match({lowest, *model_, constants_}, material_, rules).material;
+  }
+  start.material = material_;
+  start.cost = assign(lowest, *model_, material_, judging).cost;
+}
+
+/// Fits all moduli at once, by the likeliest common shifts of all frequencies, then more and more unknowns, from each
+/// of the turns to begin with. @return the best first; those of a body that is turned are of combined modes
+std::vector<MaterialFit::Start> MaterialFit::find_starts(const std::vector<Line>& lowest, StrainedBody& body) {
+  std::vector<Start> starts;
+  for (const TurnedMaterial& turned : turned_starts()) {
+    model_ = body.nearby(turned);
+    const FitProblem problem{lowest, *model_, constants_};
+    const std::vector<double> around = turned.turns.isZero(0.0) ? std::vector{0.03, 0.1} : std::vector<double>{};
+    for (const double shift : likely_shifts(lowest, turned)) {
+      TurnedMaterial material = with_unknowns(
+          constants_, turned, unknowns(constants_, turned) + shift / 600 * std::numbers::ln2 * stages_.front().col(0));
+      const Expectation expected = expectation_of(material);
+      for (const Ties& ties : stages_) {
+        const double tolerance = std::max(options_.tolerance, first_tolerance);
+        material = fit_around(problem, material, {ties, tolerance, &expected}, around).material;
+      }
+      const Assignment matched = assign(lowest, *model_, material, judging);
+      if (!matched.pairs.empty()) {
+        starts.push_back({material, expected, matched.cost});
+      }
+    }
+  }
+  if (starts.empty()) {
+    throw std::runtime_error(fmt::format(
+        "no line is within {:g} cents of a mode of the body, even if all are shifted: are shape, size, material and "
+        "constraints those of the measured body?",
+        judging));
+  }
+  std::ranges::stable_sort(starts, {}, &Start::cost);
+  return starts;
+}
+
+/// The deck's axes, and others around them where they may turn. Where the axes lie along planes of symmetry of the
+/// body, all derivatives by the turns are zero, so a fit from there alone would stay there.
+std::vector<TurnedMaterial> MaterialFit::turned_starts() const {
+  constexpr double reach = 0.6;  // rad, of each turn
+  constexpr int of_one = 12;     // turns; three times as many for each further one
+  std::vector<TurnedMaterial> starts = {start_};
+  const auto turns = std::ranges::count(constants_, ConstantKind::turn, &ElasticConstant::kind);
+  const int count = turns == 0 ? 0 : of_one * static_cast<int>(std::pow(3, turns - 1));
+  for (int number = 1; number <= count; ++number) {
+    Eigen::VectorXd point = unknowns(constants_, start_);
+    point.tail(turns).array() += reach / 0.45 * (halton_point(number, turns).array() - 0.5);
+    starts.push_back(with_unknowns(constants_, start_, point));
+  }
+  return starts;
+}
+
+/// The common shifts of all frequencies to begin with, the likeliest first; none where not all moduli may change.
+std::vector<double> MaterialFit::likely_shifts(const std::vector<Line>& lines, const TurnedMaterial& start) const {
+  const int most = start.turns.isZero(0.0) ? 3 : 1;
+  for (std::size_t k = 0; k < constants_.size(); ++k) {
+    if (constants_[k].kind == ConstantKind::modulus && stages_.front().row(static_cast<Eigen::Index>(k)).sum() == 0) {
+      return {0.0};
+    }
+  }
+  return common_shifts(lines, *model_, start, largest_shift, most);
+}
+
+}  // namespace idiophone::fitting
