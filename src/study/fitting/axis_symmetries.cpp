@@ -31,10 +31,10 @@ Rotations rotations_of_cube() {
   return all;
 }
 
-/// Sixths of a turn about z, and the same with a half turn about x.
+/// Sixths and thirds of a turn about z, and the same with a half turn about x.
 Rotations rotations_of_hexagon() {
   Rotations all;
-  for (int sixth = 0; sixth < 6; ++sixth) {
+  for (const int sixth : {1, 2, 4, 5}) {
     all.push_back(Eigen::AngleAxisd(sixth * std::numbers::pi / 3, Vector3::UnitZ()).toRotationMatrix());
     all.push_back(all.back() * Vector3(1, -1, -1).asDiagonal());
   }
@@ -56,7 +56,8 @@ Rotations symmetries_of(const scene::Material& material) {
   Rotations all = rotations_of_cube();
   std::ranges::copy(rotations_of_hexagon(), std::back_inserter(all));
   const solid::StiffnessMatrix own = stiffness_of(material, Eigen::Matrix3d::Identity());
-  std::erase_if(all, [&](const Eigen::Matrix3d& rotation) { return !are_equal(own, stiffness_of(material, rotation)); });
+  std::erase_if(all,
+                [&](const Eigen::Matrix3d& rotation) { return !are_equal(own, stiffness_of(material, rotation)); });
   return all;
 }
 

@@ -31,7 +31,7 @@ Eigen::MatrixXd line_slopes(const FitProblem& problem, const LinePairs& pairs, c
 }
 
 TurnedMaterial fit_pairs(const FitProblem& problem, const LinePairs& pairs, const TurnedMaterial& start,
-                          const FitRules& rules) {
+                         const FitRules& rules) {
   if (rules.ties.cols() == 0) {
     return start;
   }
@@ -93,8 +93,7 @@ MatchedFit fit_around(const FitProblem& problem, const TurnedMaterial& start, co
   for (Eigen::Index unknown = 0; unknown < rules.ties.cols(); ++unknown) {
     for (const double distance : around) {
       for (const double change : {-distance, distance}) {
-        const TurnedMaterial other =
-            with_unknowns(problem.constants, start, middle + change * rules.ties.col(unknown));
+        const TurnedMaterial other = with_unknowns(problem.constants, start, middle + change * rules.ties.col(unknown));
         if (!is_stable(other)) {
           continue;
         }

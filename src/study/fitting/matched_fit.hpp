@@ -40,7 +40,7 @@ struct MatchedFit {
 /// Constants with the least squares of the pairs' distances over the lines' uncertainties.
 /// @param start  a stable material
 [[nodiscard]] TurnedMaterial fit_pairs(const FitProblem& problem, const LinePairs& pairs, const TurnedMaterial& start,
-                                        const FitRules& rules);
+                                       const FitRules& rules);
 
 /// Matches and fits in turn from a material, until the assignment stays.
 [[nodiscard]] MatchedFit fit_and_match(const FitProblem& problem, const TurnedMaterial& start, const FitRules& rules);

@@ -152,8 +152,8 @@ void MaterialFit::heed_watch() const {
   if (!options_.watch) {
     return;
   }
-  constexpr int usually = 3;
-  const int expected = std::max(usually, solves_ + 1);
+  constexpr int usually = 3;  // besides those of the starts
+  const int expected = std::max(usually + starting_turns(), solves_ + 1);
   std::string best;
   TurnedMaterial now = material_;
   for (const ElasticConstant& constant : constants_) {

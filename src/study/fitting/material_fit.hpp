@@ -16,8 +16,8 @@
 
 namespace idiophone::fitting {
 
-inline constexpr double roughly = 3e-3;  // change of an unknown, before the constants are chosen
-inline constexpr double nearby = 0.03;   // for which solved modes still span those that are wanted
+inline constexpr double roughly = 3e-3;           // change of an unknown, before the constants are chosen
+inline constexpr double nearby = 0.03;            // for which solved modes still span those that are wanted
 inline constexpr std::size_t first_lines = 20;    // of a fit, the lowest; twice as many with each solve
 inline constexpr double first_tolerance = 200.0;  // cents; halved with each solve, down to the wanted one
 
@@ -61,6 +61,7 @@ class MaterialFit {
   };
 
   void begin();
+  [[nodiscard]] int starting_turns() const;
   [[nodiscard]] std::vector<TurnedMaterial> turned_starts() const;
   [[nodiscard]] std::vector<Start> find_starts(const std::vector<Line>& lowest, StrainedBody& body);
   void solve_lowest(StrainedBody& body, std::size_t lines);
@@ -112,8 +113,8 @@ class MaterialFit {
   std::vector<Ties> stages_;
   Expectation expected_;
   std::optional<FrequencyModel> model_;
-  TurnedMaterial modelled_;                ///< that the model is of
-  std::optional<TurnedMaterial> solved_;   ///< with which all modes up to the highest line were solved last
+  TurnedMaterial modelled_;               ///< that the model is of
+  std::optional<TurnedMaterial> solved_;  ///< with which all modes up to the highest line were solved last
   LinePairs pairs_;
   std::vector<double> mesh_errors_;  ///< [lines] cents
   std::vector<bool> chosen_;         ///< [constants] fitted in the end

@@ -61,7 +61,10 @@ void MaterialFit::approach(const std::vector<Line>& lowest, StrainedBody& body, 
 std::vector<MaterialFit::Start> MaterialFit::find_starts(const std::vector<Line>& lowest, StrainedBody& body) {
   std::vector<Start> starts;
   for (const TurnedMaterial& turned : turned_starts()) {
-    model_ = body.nearby(turned);
+    if (!turned.turns.isZero(0.0)) {
+      material_ = turned;
+      solve_lowest(body, lowest.size());
+    }
     const FitProblem problem{lowest, *model_, constants_};
     const std::vector<double> around = turned.turns.isZero(0.0) ? std::vector{0.03, 0.1} : std::vector<double>{};
     for (const double shift : likely_shifts(lowest, turned)) {
@@ -88,17 +91,23 @@ std::vector<MaterialFit::Start> MaterialFit::find_starts(const std::vector<Line>
   return starts;
 }
 
+/// How many turns there are to begin with, besides those of the deck.
+int MaterialFit::starting_turns() const {
+  constexpr int of_one = 12;  // unknown; twice as many for each further one
+  const auto turns = std::ranges::count(constants_, ConstantKind::turn, &ElasticConstant::kind);
+  return turns == 0 ? 0 : of_one << (turns - 1);
+}
+
 /// The deck's axes, and others around them where they may turn. Where the axes lie along planes of symmetry of the
 /// body, all derivatives by the turns are zero, so a fit from there alone would stay there.
 std::vector<TurnedMaterial> MaterialFit::turned_starts() const {
   constexpr double reach = 0.6;  // rad, of each turn
-  constexpr int of_one = 12;     // turns; three times as many for each further one
   std::vector<TurnedMaterial> starts = {start_};
   const auto turns = std::ranges::count(constants_, ConstantKind::turn, &ElasticConstant::kind);
-  const int count = turns == 0 ? 0 : of_one * static_cast<int>(std::pow(3, turns - 1));
-  for (int number = 1; number <= count; ++number) {
+  for (int number = 1; number <= starting_turns(); ++number) {
+    const Eigen::ArrayXd places = (halton_point(number, turns).array() - 0.5) / 0.45;  // -1 to 1
     Eigen::VectorXd point = unknowns(constants_, start_);
-    point.tail(turns).array() += reach / 0.45 * (halton_point(number, turns).array() - 0.5);
+    point.tail(turns).array() += reach * places;
     starts.push_back(with_unknowns(constants_, start_, point));
   }
   return starts;

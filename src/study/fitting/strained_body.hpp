@@ -39,7 +39,7 @@ class StrainedBody {
   /// @throws what eigenmodes::find_modes() throws
   [[nodiscard]] StrainedBody reduced(int modes) const;
 
-  [[nodiscard]] const TurnedMaterial& material() const { return material_; }   ///< of the last model, or of the scene
+  [[nodiscard]] const TurnedMaterial& material() const { return material_; }    ///< of the last model, or of the scene
   [[nodiscard]] double volume() const { return statistics_.volume; }            ///< m3
   [[nodiscard]] const Vector3& extents() const { return statistics_.extents; }  ///< mesh::Statistics::extents
   [[nodiscard]] Vector3 direction(int side) const { return statistics_.axes.col(side); }

@@ -13,11 +13,11 @@
 namespace idiophone::fitting {
 
 struct IdentificationOptions {
-  /// Names of the constants to fit, and of the turns turn_x, turn_y and turn_z of a material that is not isotropic, about
-  /// its own axes. "constants" stands for all constants, "turns" for the three turns. Empty: all constants.
+  /// Names of the constants to fit, and of the turns turn_x, turn_y and turn_z of a material that is not isotropic,
+  /// about its own axes. "constants" stands for all constants, "turns" for the three turns. Empty: all constants.
   std::vector<std::string> constants = {};
-  double tolerance = 50.0;                  ///< the largest distance of a line from its mode, cents
-  std::optional<int> lines = {};            ///< fit only so many, the lowest; the others show how well it predicts
+  double tolerance = 50.0;        ///< the largest distance of a line from its mode, cents
+  std::optional<int> lines = {};  ///< fit only so many, the lowest; the others show how well it predicts
   eigenmodes::MassMatrix mass = eigenmodes::MassMatrix::consistent;
   Watch watch = {};  ///< none: the search goes on to its end
 };
@@ -95,16 +95,17 @@ struct Identification {
   std::vector<std::string> doubts;            ///< why the fit is not accepted, sentences; empty: it explains the lines
 };
 
-/// Fits the elastic constants of a body, and turns of its material's axes, to measured lines: Gauss-Newton with Levenberg's damping, weighted by the
-/// lines' uncertainties. Derivatives are those of Hellmann and Feynman, exact by the mode shapes. The fit begins with a
-/// common factor of all moduli and adds unknowns. A measured mass gives the density, decay times the damping. The 95 %
-/// intervals contain the lines' uncertainties, the errors of the mesh and those of constants that are held. A constant
-/// whose interval is wider than +-10 %, or of a Poisson's ratio +-0.1, keeps the deck's value if the lines fit as well
-/// with it, and further lines are named that would determine it, or another size of the specimen. The fit is not
-/// accepted where a line is false, or where the root of the mean square of the fitted lines' cents over their
-/// uncertainties is above 3. On this rank alone.
+/// Fits the elastic constants of a body, and turns of its material's axes, to measured lines: Gauss-Newton with
+/// Levenberg's damping, weighted by the lines' uncertainties. Derivatives are those of Hellmann and Feynman, exact by
+/// the mode shapes. The fit begins with a common factor of all moduli and adds unknowns. A measured mass gives the
+/// density, decay times the damping. The 95 % intervals contain the lines' uncertainties, the errors of the mesh and
+/// those of constants that are held. A constant whose interval is wider than +-10 %, or of a Poisson's ratio +-0.1,
+/// keeps the deck's value if the lines fit as well with it, and further lines are named that would determine it, or
+/// another size of the specimen. The fit is not accepted where a line is false, or where the root of the mean square of
+/// the fitted lines' cents over their uncertainties is above 3. On this rank alone.
 /// @param solids  one body (scene::Solids::alone)
-/// @throws std::runtime_error for an unknown constant, turns of an isotropic material, or if no line fits any mode; deck::DeckError for a wrong mesh;
+/// @throws std::runtime_error for an unknown constant, turns of an isotropic material, or if no line fits any mode;
+/// deck::DeckError for a wrong mesh;
 ///         what eigenmodes::find_modes() throws
 [[nodiscard]] Identification identify(const scene::Solids& solids, const Measurements& measured,
                                       const IdentificationOptions& options);
