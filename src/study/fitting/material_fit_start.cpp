@@ -22,7 +22,7 @@ constexpr double largest_shift = 1000.0;  // cents, by which all frequencies may
 /// From the lowest lines and modes, on a coarser mesh where that is possible, until the modes belong to about the
 /// constants that they give. Of several turns of the axes, those that fit best are tried.
 void MaterialFit::begin() {
-  constexpr std::size_t most_tried = 4;
+  constexpr std::size_t most_tried = 10;
   const std::vector<Line> lowest(lines_.begin(), lines_.begin() + std::min(first_lines, lines_.size()));
   std::optional<StrainedBody> coarser = body_.coarser();
   StrainedBody& body = coarser ? *coarser : body_;
