@@ -64,8 +64,9 @@ class MaterialFit {
   [[nodiscard]] int starting_turns() const;
   [[nodiscard]] std::vector<TurnedMaterial> turned_starts() const;
   [[nodiscard]] std::vector<Start> find_starts(const std::vector<Line>& lowest, StrainedBody& body);
-  void solve_lowest(StrainedBody& body, std::size_t lines);
-  void approach(const std::vector<Line>& lowest, StrainedBody& body, Start& start);
+  void solve_lowest(StrainedBody& body, const TurnedMaterial& material, std::size_t lines);
+  void approach(const std::vector<Line>& lowest, StrainedBody& body, Start& start, double least);
+  void keep(const Start& start);
   void refine();
   void choose();
   void weigh();

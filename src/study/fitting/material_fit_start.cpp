@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -26,44 +27,53 @@ void MaterialFit::begin() {
   const std::vector<Line> lowest(lines_.begin(), lines_.begin() + std::min(first_lines, lines_.size()));
   std::optional<StrainedBody> coarser = body_.coarser();
   StrainedBody& body = coarser ? *coarser : body_;
-  solve_lowest(body, lowest.size());
+  solve_lowest(body, material_, lowest.size());
   std::vector<Start> starts = find_starts(lowest, body);
   starts.resize(std::min(starts.size(), has_turns() ? most_tried : 1));
+  double least = std::numeric_limits<double>::infinity();
   for (Start& start : starts) {
-    approach(lowest, body, start);
+    approach(lowest, body, start, least);
+    least = std::min(least, start.cost);
   }
-  const Start& best = *std::ranges::min_element(starts, {}, &Start::cost);
-  material_ = best.material;
-  expected_ = best.expected;
+  keep(*std::ranges::min_element(starts, {}, &Start::cost));
 }
 
-void MaterialFit::solve_lowest(StrainedBody& body, std::size_t lines) {
-  modelled_ = material_;
-  model_ = body.lowest(material_, static_cast<int>(2 * lines + 5));
+void MaterialFit::solve_lowest(StrainedBody& body, const TurnedMaterial& material, std::size_t lines) {
+  modelled_ = material;
+  model_ = body.lowest(material, static_cast<int>(2 * lines + 5));
   note_solve();
 }
 
 /// Solves and fits in turn.
-void MaterialFit::approach(const std::vector<Line>& lowest, StrainedBody& body, Start& start) {
+/// @param least  what it costs less than is kept
+void MaterialFit::approach(const std::vector<Line>& lowest, StrainedBody& body, Start& start, double least) {
   constexpr int most_repetitions = 3;
-  material_ = start.material;
   const FitRules rules{stages_.back(), std::max(options_.tolerance, first_tolerance / 2), &start.expected};
-  for (int turn = 0; turn < most_repetitions && distance(constants_, material_, modelled_) > nearby; ++turn) {
-    solve_lowest(body, lowest.size());
-    material_ = fit_and_match({lowest, *model_, constants_}, material_, rules).material;
+  const std::vector<double> around = has_turns() ? std::vector{0.03, 0.1} : std::vector<double>{};
+  for (int turn = 0; turn < most_repetitions && distance(constants_, start.material, modelled_) > nearby; ++turn) {
+    solve_lowest(body, start.material, lowest.size());
+    start.material = fit_around({lowest, *model_, constants_}, start.material, rules, around).material;
+    start.cost = assign(lowest, *model_, start.material, judging).cost;
+    if (start.cost < least) {
+      keep(start);
+    }
   }
-  start.material = material_;
-  start.cost = assign(lowest, *model_, material_, judging).cost;
+}
+
+/// The search goes on from there, and ends there if it is stopped.
+void MaterialFit::keep(const Start& start) {
+  material_ = start.material;
+  expected_ = start.expected;
 }
 
 /// Fits all moduli at once, by the likeliest common shifts of all frequencies, then more and more unknowns, from each
-/// of the turns to begin with. @return the best first; those of a body that is turned are of combined modes
+/// of the turns to begin with. @return the best first
 std::vector<MaterialFit::Start> MaterialFit::find_starts(const std::vector<Line>& lowest, StrainedBody& body) {
   std::vector<Start> starts;
+  double least = std::numeric_limits<double>::infinity();
   for (const TurnedMaterial& turned : turned_starts()) {
     if (!turned.turns.isZero(0.0)) {
-      material_ = turned;
-      solve_lowest(body, lowest.size());
+      solve_lowest(body, turned, lowest.size());
     }
     const FitProblem problem{lowest, *model_, constants_};
     const std::vector<double> around = turned.turns.isZero(0.0) ? std::vector{0.03, 0.1} : std::vector<double>{};
@@ -78,6 +88,10 @@ std::vector<MaterialFit::Start> MaterialFit::find_starts(const std::vector<Line>
       const Assignment matched = assign(lowest, *model_, material, judging);
       if (!matched.pairs.empty()) {
         starts.push_back({material, expected, matched.cost});
+      }
+      if (!matched.pairs.empty() && matched.cost < least) {
+        least = matched.cost;
+        keep(starts.back());
       }
     }
   }
