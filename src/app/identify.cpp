@@ -88,12 +88,9 @@ std::string advice(const Identification& found, const IdentifiedConstant& consta
 
 void warn_of_gaps(const Identification& found) {
   for (const IdentifiedConstant& constant : found.constants) {
-    if (!constant.determined) {
-      if (constant.has_no_effect) {
-        spdlog::warn("no line depends on {}: the material is the same in all directions around this axis",
-                     constant.name);
-        continue;
-      }
+    if (constant.has_no_effect) {
+      spdlog::warn("no line depends on {}: the material is the same in all directions around this axis", constant.name);
+    } else if (!constant.determined) {
       spdlog::warn("the lines do not determine {}: its 95 % interval would be +-{:.2g}; it keeps the deck's value. {}",
                    constant.name, constant.half_width, advice(found, constant));
     }
