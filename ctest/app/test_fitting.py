@@ -39,6 +39,47 @@ class Identify(program.TestCase):
         self.assertIn(f"materials:\n  {material}:\n    young: 6.2e+06\n", text)
         self.assertIn("rms of the fitted lines: 0.00 cents", text)
 
+    def crystal(self, name, constants, euler):
+        """The deck of a block of a cubic crystal whose axes are turned by these angles."""
+        deck = self.output / f"{name}.yaml"
+        deck.write_text(json.dumps({
+            "name": name, "time": {"duration": 0.01},
+            "materials": {"silicon": {"density": 2330, "stiffness": {"symmetry": "cubic", **constants}}},
+            "bodies": {"block": {"mesh": str(program.SOURCE / "meshes/bar.geo"), "element": "hex",
+                                 "order": {"plane": 4, "thickness": 4}, "material": "silicon", "grain": {"euler": euler},
+                                 "parameters": {"length": 0.03, "width": 0.025, "thickness": 0.02, "size": 0.03}}},
+            "listeners": {"ear": {"type": "mono", "position": [0.1, 0, 0]}}}))
+        return deck
+
+    def lines_of(self, deck):
+        job = program.idiophone("modes", deck, "--output-folder", self.output, "--mass", "consistent", "--modes", "15", "--no-estimate",
+                                "--json")
+        self.require_status(job, program.FINISHED)
+        return [mode["frequency"] for mode in json.loads(job.stdout)["modes"]]
+
+    def test_finds_how_the_axes_of_a_crystal_are_turned(self):
+        truth = {"c11": 165.7e9, "c12": 63.9e9, "c44": 79.6e9}
+        measured = self.output / "measured.yaml"
+        measured.write_text(json.dumps({"lines": self.lines_of(self.crystal("turned", truth, [20, 0, 0]))}))
+        guess = self.crystal("guess", {"c11": 155e9, "c12": 67e9, "c44": 74e9}, [0, 0, 0])
+        words = ["identify", guess, "--measured", measured, "--fit", "constants,turn_z"]
+        job = program.idiophone(*words, "--json")
+        self.require_status(job, program.FINISHED)
+        found = json.loads(job.stdout)
+        turn = found["constants"].pop("turn_z")
+        self.assertAlmostEqual(abs(turn["value"]), 20, delta=0.01)
+        self.assertLess(turn["half_width"], 3)
+        for name, constant in found["constants"].items():
+            self.assertAlmostEqual(constant["value"] / truth[name], 1, delta=1e-3)
+        self.assertAlmostEqual(found["grain"]["euler"][0], turn["value"], delta=1e-6)
+        self.assertAlmostEqual(found["equivalent_turns"][0][2], -turn["value"], delta=1e-6)
+        answered = self.crystal("answered", {name: constant["value"] for name, constant in found["constants"].items()},
+                                found["grain"]["euler"])
+        for line, again in zip(json.loads(measured.read_text())["lines"], self.lines_of(answered)):
+            self.assertAlmostEqual(again / line, 1, delta=1e-5)
+        text = program.idiophone(*words).stdout
+        self.assertRegex(text, r"bodies:\n  block:\n    grain: \{euler: \[-?20\.0\d+, 0.0000, 0.0000\]\}|euler: \[-?19\.99")
+
     def require_refusal(self, lines, doubt):
         """That the fit is not accepted, and says why, in text and as JSON."""
         job = self.identify(measured=json.dumps({"lines": lines}))
@@ -62,6 +103,7 @@ class Identify(program.TestCase):
         for arguments, measured, status, message in (
                 (["--tolerance", "0"], lines, program.FAILED, "--tolerance must be above 0 cents"),
                 (["--fit", "yuong"], lines, program.FAILED, "did you mean 'young'"),
+                (["--fit", "turns"], lines, program.FAILED, "rubber is the same in all directions"),
                 (["--body", "bell"], lines, program.FAILED, "there is no body 'bell'"),
                 ([], "lines: [1000, high]", program.WRONG_DECK, "measured.yaml:1:15: lines.1: expected a number")):
             with self.subTest(arguments=arguments):

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "deck_fixture.hpp"
+#include "idiophone/scene/euler_angles.hpp"
 
 namespace idiophone::scene {
 namespace {
@@ -68,6 +69,14 @@ TEST_F(Crystals, LieAsEulersAnglesSay) {
   EXPECT_LT((turned.col(2) - Vector3(1, 0, 0)).norm(), 1e-15);
   EXPECT_LT((axes("[20, 0, 30]") - axes("[50, 0, 0]")).norm(), 1e-15);
   EXPECT_LT((axes("[90, 90, 90]").col(0) - Vector3(0, 0, 1)).norm(), 1e-15) << "the last turn is about the new z";
+}
+
+TEST(EulerAngles, AreThoseOfTheAxes) {
+  for (const Vector3& angles :
+       {Vector3(-170, 35, 120), Vector3(20, 150, -60), Vector3(70, 0, 0), Vector3(70, 180, 0)}) {
+    EXPECT_LT((euler_angles(axes_of_euler_angles(angles)) - angles).norm(), 1e-9) << angles.transpose();
+  }
+  EXPECT_LT((euler_angles(axes_of_euler_angles({20, 0, 30})) - Vector3(50, 0, 0)).norm(), 1e-9);
 }
 
 TEST_F(Crystals, MistakesAreAnswered) {

@@ -13,12 +13,13 @@ T = TypeVar("T")
 
 @dataclass(frozen=True)
 class Constant:
-    """A constant of a material, e.g. "young"."""
+    """A constant of a material, e.g. "young", or a turn of its axes (degrees)."""
     value: float
     half_width: float | None  #: of the 95 % interval, in the unit of the value; None if it is unbounded
     in_the_deck: float        #: where the search began
     determined: bool          #: whether the lines determine it; if not, it keeps the value of the deck
     would_be_determined: bool  #: by `further_lines`, if it is not
+    has_no_effect: bool       #: a turn about an axis around which the material is the same in all directions
 
 
 @dataclass(frozen=True)
@@ -53,6 +54,8 @@ class Identification:
     volume: float                      #: m3
     solves: int                        #: eigenvalue problems that were solved
     materials: dict[str, Any]          #: the section of a deck: deck["materials.steel"] = found.materials["steel"]
+    grain: dict[str, Any] | None       #: if turns were fitted: deck["bodies.block.grain"] = found.grain
+    equivalent_turns: list[list[float]]  #: about x, y, z (degrees), with which the lines fit as well, by symmetry of the body
     messages: list[str]                #: what the program says besides
 
 

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "idiophone/run/loop/facts.hpp"
+#include "idiophone/scene/euler_angles.hpp"
 #include "materials_section.hpp"
 
 namespace idiophone::app {
@@ -35,6 +36,24 @@ void print_constants(const Identification& found) {
     fmt::print("{:<12}  {:>12.6g}  {:>12.3g}  {:>12.6g}{}\n", constant.name, constant.value, constant.half_width,
                constant.start, constant.determined ? "" : "  not determined");
   }
+}
+
+void print_equivalent_turns(const Identification& found) {
+  if (!found.equivalent_turns.empty()) {
+    fmt::print("the lines fit as well, by the symmetry of the body, with turns about x, y, z by\n");
+  }
+  for (const Vector3& turns : found.equivalent_turns) {
+    fmt::print("{:>12.4f}, {:.4f}, {:.4f} degrees\n", turns[0], turns[1], turns[2]);
+  }
+}
+
+/// The key grain of the body in a deck; empty where no turns were fitted.
+std::string grain_section(const Identification& found, const std::string& body) {
+  if (!found.grain) {
+    return {};
+  }
+  return fmt::format("bodies:\n  {}:\n    grain: {{euler: [{:.4f}]}}\n", body,
+                     fmt::join(scene::euler_angles(*found.grain), ", "));
 }
 
 void print_lines(const Identification& found) {
@@ -95,12 +114,13 @@ void print_further_sizes(const Identification& found) {
 
 }  // namespace
 
-void print(const Identification& found) {
+void print(const Identification& found, const std::string& body) {
   print_constants(found);
+  print_equivalent_turns(found);
   print_lines(found);
   print_further_lines(found);
   print_further_sizes(found);
-  fmt::print("\n{}", materials_section(found.material));
+  fmt::print("\n{}{}", materials_section(found.material), grain_section(found, body));
 }
 
 nlohmann::json identification_facts(const Identification& found) {
@@ -117,13 +137,22 @@ nlohmann::json identification_facts(const Identification& found) {
                            {"further_sizes", nlohmann::json::array()},
                            {"fitted_rms", loop::number_or_null(found.fitted_rms.value_or(NAN))},
                            {"predicted_rms", loop::number_or_null(found.tested_rms.value_or(NAN))},
-                           {"materials", materials_section(found.material)}};
+                           {"materials", materials_section(found.material)},
+                           {"grain", nullptr},
+                           {"equivalent_turns", nlohmann::json::array()}};
+  if (found.grain) {
+    answer["grain"] = {{"euler", coordinates(scene::euler_angles(*found.grain))}};
+  }
+  for (const Vector3& turns : found.equivalent_turns) {
+    answer["equivalent_turns"].push_back(coordinates(turns));
+  }
   for (const IdentifiedConstant& constant : found.constants) {
     answer["constants"][constant.name] = {{"value", constant.value},
                                           {"half_width", loop::number_or_null(constant.half_width)},
                                           {"in_the_deck", constant.start},
                                           {"determined", constant.determined},
-                                          {"would_be_determined", constant.would_be_determined}};
+                                          {"would_be_determined", constant.would_be_determined},
+                                          {"has_no_effect", constant.has_no_effect}};
   }
   for (const AssignedLine& line : found.lines) {
     nlohmann::json entry = {{"measured", line.line.frequency},

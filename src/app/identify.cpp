@@ -29,7 +29,7 @@ struct IdentifyOptions {
   std::vector<std::string> overrides;
   std::filesystem::path measured;      ///< a YAML file, or a recording
   std::string body;                    ///< empty for the first
-  std::vector<std::string> constants;  ///< to fit; empty for all of the material
+  std::vector<std::string> constants;  ///< and turns to fit; empty for all constants of the material
   double tolerance = 50.0;             ///< cents, between a line and its mode
   std::optional<int> lines;            ///< fit only so many, the lowest
   eigenmodes::MassMatrix mass = eigenmodes::MassMatrix::consistent;
@@ -43,7 +43,8 @@ void declare(CLI::App& app, IdentifyOptions& options) {
       ->required();
   add_body(app, options.body);
   app.add_option("--fit", options.constants,
-                 "elastic constants to fit, e.g. young,poisson (default: all of the material)")
+                 "elastic constants to fit, e.g. young,poisson (default: constants, all of the material); and turns of "
+                 "its axes: turn_x,turn_y,turn_z, or turns")
       ->delimiter(',')
       ->allow_extra_args(false);
   app.add_option("--tolerance", options.tolerance, "cents between a line and its mode")->capture_default_str();
@@ -87,7 +88,9 @@ std::string advice(const Identification& found, const IdentifiedConstant& consta
 
 void warn_of_gaps(const Identification& found) {
   for (const IdentifiedConstant& constant : found.constants) {
-    if (!constant.determined) {
+    if (constant.has_no_effect) {
+      spdlog::warn("no line depends on {}: the material is the same in all directions around this axis", constant.name);
+    } else if (!constant.determined) {
       spdlog::warn("the lines do not determine {}: its 95 % interval would be +-{:.2g}; it keeps the deck's value. {}",
                    constant.name, constant.half_width, advice(found, constant));
     }
@@ -151,7 +154,7 @@ int identify(const IdentifyOptions& options) {
   if (options.style == Style::json) {
     print_answer(identification_facts(found));
   } else {
-    print(found);
+    print(found, scene.bodies[body].name);
   }
   return judge_fit(found);
 }

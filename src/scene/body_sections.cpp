@@ -1,8 +1,8 @@
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "idiophone/scene/euler_angles.hpp"
 #include "idiophone/scene/ranges.hpp"
 #include "idiophone/scene/sections.hpp"
 
@@ -20,19 +20,6 @@ static bool read(const Node& node, Mistakes& mistakes, Support& support) {
   return good;
 }
 
-namespace {
-
-/// The axes after Euler's turns about z, the new x and the new z by these angles (degrees), as Bunge gives the
-/// orientation of crystals (Texture Analysis in Materials Science, 1982, chapter 2).
-Eigen::Matrix3d turned_axes(const Vector3& degrees) {
-  const auto turn = [&](int k, const Vector3& axis) {
-    return Eigen::AngleAxisd(degrees[k] * std::numbers::pi / 180, axis).toRotationMatrix();
-  };
-  return turn(0, Vector3::UnitZ()) * turn(1, Vector3::UnitX()) * turn(2, Vector3::UnitZ());
-}
-
-}  // namespace
-
 bool read(const Node& node, Mistakes& mistakes, Eigen::Matrix3d& axes, const Grain& /*rule*/) {
   Section section(node, mistakes);
   if (section.find("euler") != nullptr) {
@@ -43,7 +30,7 @@ bool read(const Node& node, Mistakes& mistakes, Eigen::Matrix3d& axes, const Gra
     if (!section.finish()) {
       return false;
     }
-    axes = turned_axes(degrees);
+    axes = axes_of_euler_angles(degrees);
     return true;
   }
   Vector3 x = Vector3::UnitX();

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "bars.hpp"
+#include "fit_names.hpp"
 #include "idiophone/study/partials/compare.hpp"
 #include "ranks.hpp"
 #include "strained_body.hpp"
@@ -16,10 +17,9 @@ namespace idiophone::fitting {
 namespace {
 
 /// Compares the slopes with central differences of the eigenfrequencies.
-void expect_exact_slopes(const scene::Material& material, double highest) {
+void expect_exact_slopes(const TurnedMaterial& material, const ElasticConstants& constants, double highest) {
   StrainedBody body(bar_scene({0.06, 0.025, 0.02}, 0.03, 4), eigenmodes::MassMatrix::consistent);
   const FrequencyModel model = body.model(material, highest);
-  const ElasticConstants constants = elastic_constants(material, {});
   const Eigen::MatrixXd slopes = model.cents_slopes(constants, material);
   const Eigen::VectorXd here = unknowns(constants, material);
   ASSERT_GE(slopes.rows(), 3);
@@ -41,11 +41,21 @@ void expect_exact_slopes(const scene::Material& material, double highest) {
 ON_RANKS(1);
 
 TEST(FrequencyModel, IsotropicSlopesAreExact) {
-  expect_exact_slopes(bar_scene({1, 1, 1}, 1, 2).materials[0], 40e3);
+  const scene::Material aluminium = bar_scene({1, 1, 1}, 1, 2).materials[0];
+  expect_exact_slopes(aluminium, elastic_constants(aluminium), 40e3);
 }
 
 TEST(FrequencyModel, OrthotropicSlopesAreExact) {
-  expect_exact_slopes(spruce(), 12e3);
+  expect_exact_slopes(spruce(), elastic_constants(spruce()), 12e3);
+}
+
+TEST(FrequencyModel, SlopesByTurnsAreExact) {
+  TurnedMaterial askew = spruce();
+  askew.turns = {10, 20, 30};
+  ElasticConstants turns = constants_and_turns(askew, {"turn_x", "turn_y", "turn_z"});
+  std::erase_if(turns, [](const ElasticConstant& constant) { return constant.kind != ConstantKind::turn; });
+  ASSERT_EQ(turns.size(), 3U);
+  expect_exact_slopes(askew, turns, 12e3);
 }
 
 TEST(FrequencyModel, StrainEnergyIsThatOfTheMode) {

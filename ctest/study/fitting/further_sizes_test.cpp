@@ -64,7 +64,7 @@ constexpr int plate_lines = 12;
 /// What the specimens of other sizes tell of the shear through the thickness of a thin plate, if its lines tell
 /// nothing.
 FurtherSize size_for_the_shear() {
-  const ElasticConstants constants = elastic_constants(spruce(), {});
+  const ElasticConstants constants = elastic_constants(spruce());
   const Expectation expected = expected_of(constants);
   const StrainedBody body = strained(wooden(plate_sides));
   const Eigen::VectorXd widths = 1.96 * 0.2 * Eigen::VectorXd::Unit(9, 8);
@@ -91,7 +91,7 @@ TEST(FurtherSizes, AThinPlateNeedsAnotherSizeForItsShear) {
   EXPECT_GT(sides[2] / std::min(sides[0], sides[1]), plate_sides[2] / plate_sides[1]) << "it is more compact";
   StrainedBody body = strained(wooden(sides));
   const FrequencyModel model = body.lowest(spruce(), plate_lines);
-  const ElasticConstants constants = elastic_constants(spruce(), {});
+  const ElasticConstants constants = elastic_constants(spruce());
   const Evidence evidence = imagined_lines(model, constants, spruce(), plate_uncertainty, body.mesh_errors(model));
   const Eigen::MatrixXd slopes = value_slopes(constants, spruce()).row(8);
   EXPECT_NEAR(size.half_width / half_widths(evidence, by_chance, expected_of(constants), slopes)[0], 1, 0.05);
@@ -120,7 +120,7 @@ TEST(FurtherSizes, AFitOfASpecimenOfTheNamedSizeIsAsGoodAsPromised) {
 }
 
 TEST(FurtherSizes, NothingIsNamedForConstantsThatAreKnownBetter) {
-  const ElasticConstants constants = elastic_constants(spruce(), {});
+  const ElasticConstants constants = elastic_constants(spruce());
   const Expectation expected{unknowns(constants, spruce()), Eigen::VectorXd::Constant(constants.size(), 0.2)};
   const StrainedBody body = strained(wooden(plate_sides));
   int solves = 0;
@@ -139,7 +139,7 @@ TEST(FurtherSizes, NothingIsNamedForABodyThatDoesNotFillItsBox) {
   scene::Scene scene = wooden(plate_sides);
   scene.bodies[0].mesh.replace_filename("sphere.geo");
   scene.bodies[0].parameters = {{"radius", 0.02}, {"size", 0.02}};
-  const ElasticConstants constants = elastic_constants(spruce(), {});
+  const ElasticConstants constants = elastic_constants(spruce());
   const StrainedBody body = strained(scene);
   int solves = 0;
   const FurtherSizes sizes = further_sizes({body, spruce(), constants, expected_of(constants), by_chance, 2.0, 6},

@@ -87,8 +87,8 @@ TEST(Identify, ABarOfWoodWithTwoFalseLines) {
   }
   std::ranges::sort(measured.lines, {}, &Line::frequency);
   const Identification found = identify(wooden_bar(table), measured, {});
-  const ElasticConstants constants = elastic_constants(found.material, {});
-  scene::Material truth = wooden_bar(rosewood).materials[0];
+  const ElasticConstants constants = elastic_constants(found.material);
+  TurnedMaterial truth = wooden_bar(rosewood).materials[0];
   for (std::size_t k = 0; k < constants.size(); ++k) {
     EXPECT_NEAR(found.constants[k].value, constants[k].in(truth), found.constants[k].half_width) << constants[k].name;
   }
@@ -256,9 +256,9 @@ TEST(Identify, OrthotropicConstants) {
   guess.orthotropy->young = {11e9, 0.98e9, 0.53e9};
   guess.orthotropy->shear = {0.72e9, 0.038e9, 0.7e9};
   const Identification found = identify(block_of(guess), measured, {});
-  const ElasticConstants constants = elastic_constants(guess, {});
+  const ElasticConstants constants = elastic_constants(guess);
   for (std::size_t k = 0; k < constants.size(); ++k) {
-    scene::Material truth = spruce();
+    TurnedMaterial truth = spruce();
     const double value = constants[k].in(truth);
     if (found.constants[k].determined) {
       EXPECT_NEAR(found.constants[k].value, value, std::max(found.constants[k].half_width, 1e-3 * value))

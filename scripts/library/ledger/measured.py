@@ -9,7 +9,8 @@ def measure(name, case, program):
     """Judged: the root of the mean square of the predicted lines' distances, and that every line is a mode and every mode
     a line. Each line is shown."""
     found = program.facts("identify", case["deck"],
-                          options=["--measured", HOME / case["measured"], "--lines", case["fitted"]])
+                          options=["--measured", HOME / case["measured"], "--lines", case["fitted"],
+                                   "--fit", case.get("fit", "constants")])
     lines = found["lines"]
     gaps = sum(line["mode"] is None for line in lines) + len(found["not_measured"])
     judged = [AtMost(f"rms of the {len(lines) - case['fitted']} predicted lines", case["tolerance"],

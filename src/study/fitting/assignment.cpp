@@ -22,7 +22,7 @@ struct Spectrum {
   std::vector<Candidate> candidates;
 };
 
-Spectrum spectrum_of(const FrequencyModel& model, const scene::Material& material) {
+Spectrum spectrum_of(const FrequencyModel& model, const TurnedMaterial& material) {
   const Eigen::VectorXd frequencies = model.frequencies(material);
   Spectrum spectrum;
   spectrum.multiplets.resize(model.multiplets().size());
@@ -36,7 +36,7 @@ Spectrum spectrum_of(const FrequencyModel& model, const scene::Material& materia
 
 }  // namespace
 
-Assignment assign(const std::vector<Line>& lines, const FrequencyModel& model, const scene::Material& material,
+Assignment assign(const std::vector<Line>& lines, const FrequencyModel& model, const TurnedMaterial& material,
                   double tolerance) {
   const Spectrum spectrum = spectrum_of(model, material);
   const Matching matching = match(frequencies_of(lines), spectrum.candidates, tolerance);
@@ -50,7 +50,7 @@ Assignment assign(const std::vector<Line>& lines, const FrequencyModel& model, c
 }
 
 std::vector<double> common_shifts(const std::vector<Line>& lines, const FrequencyModel& model,
-                                  const scene::Material& material, double largest, int most) {
+                                  const TurnedMaterial& material, double largest, int most) {
   return likely_shifts(frequencies_of(lines), spectrum_of(model, material).candidates, largest, most);
 }
 

@@ -22,10 +22,10 @@ struct Assignment {
 /// @param lines      ascending
 /// @param tolerance  the largest distance of a line from its multiplet, cents
 [[nodiscard]] Assignment assign(const std::vector<Line>& lines, const FrequencyModel& model,
-                                const scene::Material& material, double tolerance);
+                                const TurnedMaterial& material, double tolerance);
 
 /// Cents by which all frequencies of the body may have to rise, the likeliest first, as likely_shifts() finds them.
 [[nodiscard]] std::vector<double> common_shifts(const std::vector<Line>& lines, const FrequencyModel& model,
-                                                const scene::Material& material, double largest, int most);
+                                                const TurnedMaterial& material, double largest, int most);
 
 }  // namespace idiophone::fitting

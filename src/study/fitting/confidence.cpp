@@ -25,7 +25,7 @@ double student_t(double freedom) {
               (((3 * z2 + 19) * z2 + 17) * z2 - 15) / (384 * freedom * freedom * freedom));
 }
 
-Evidence imagined_lines(const FrequencyModel& model, const ElasticConstants& constants, const scene::Material& material,
+Evidence imagined_lines(const FrequencyModel& model, const ElasticConstants& constants, const TurnedMaterial& material,
                         double uncertainty, const std::vector<double>& mesh_errors) {
   const auto lines = static_cast<Eigen::Index>(mesh_errors.size());
   const Eigen::Map<const Eigen::ArrayXd> errors(mesh_errors.data(), lines);

@@ -28,7 +28,7 @@ struct Evidence {
 /// @param uncertainty  of a line, cents; the error of the mesh is added to it
 /// @param mesh_errors  [multiplets] cents
 [[nodiscard]] Evidence imagined_lines(const FrequencyModel& model, const ElasticConstants& constants,
-                                      const scene::Material& material, double uncertainty,
+                                      const TurnedMaterial& material, double uncertainty,
                                       const std::vector<double>& mesh_errors);
 
 /// How far the residuals of a fit spread the constants.

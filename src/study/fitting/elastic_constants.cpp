@@ -1,14 +1,9 @@
 #include "elastic_constants.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
-#include "idiophone/foundation/deck/suggestion.hpp"
 #include "idiophone/scene/anisotropy.hpp"
 
 namespace idiophone::fitting {
@@ -54,7 +49,9 @@ ElasticConstants orthotropic_constants() {
   return constants;
 }
 
-ElasticConstants all_constants(const scene::Material& material) {
+}  // namespace
+
+ElasticConstants elastic_constants(const scene::Material& material) {
   if (material.crystal) {
     return crystal_constants(*material.crystal);
   }
@@ -65,32 +62,20 @@ ElasticConstants all_constants(const scene::Material& material) {
           {"poisson", ConstantKind::ratio, [](scene::Material& m) -> double& { return m.poisson; }}};
 }
 
-}  // namespace
-
-ElasticConstants elastic_constants(const scene::Material& material, const std::vector<std::string>& names) {
-  ElasticConstants constants = all_constants(material);
-  std::vector<std::string> known;
-  std::ranges::transform(constants, std::back_inserter(known), &ElasticConstant::name);
-  for (const std::string& name : names) {
-    if (std::ranges::find(known, name) == known.end()) {
-      throw std::runtime_error(fmt::format("material {} has no elastic constant '{}'{}; it has: {}", material.name,
-                                           name, deck::suggestion(name, known), fmt::join(known, ", ")));
-    }
-  }
-  if (!names.empty()) {
-    std::erase_if(constants, [&](const ElasticConstant& constant) {
-      return std::ranges::find(names, constant.name) == names.end();
-    });
-  }
-  return constants;
-}
-
 double expected_deviation(const ElasticConstant& constant) {
-  return constant.kind == ConstantKind::modulus ? 0.2 : 0.1;
+  switch (constant.kind) {
+    case ConstantKind::modulus:
+      return 0.2;
+    case ConstantKind::ratio:
+      return 0.1;
+    case ConstantKind::turn:
+      break;
+  }
+  return 0.3;  // rad, 17 degrees
 }
 
-Eigen::VectorXd unknowns(const ElasticConstants& constants, const scene::Material& material) {
-  scene::Material source = material;
+Eigen::VectorXd unknowns(const ElasticConstants& constants, const TurnedMaterial& material) {
+  TurnedMaterial source = material;
   Eigen::VectorXd values(constants.size());
   std::ranges::transform(constants, values.begin(), [&](const ElasticConstant& constant) {
     const double value = constant.in(source);
@@ -99,8 +84,8 @@ Eigen::VectorXd unknowns(const ElasticConstants& constants, const scene::Materia
   return values;
 }
 
-scene::Material with_unknowns(const ElasticConstants& constants, scene::Material material,
-                              const Eigen::VectorXd& unknowns) {
+TurnedMaterial with_unknowns(const ElasticConstants& constants, TurnedMaterial material,
+                             const Eigen::VectorXd& unknowns) {
   for (std::size_t i = 0; i < constants.size(); ++i) {
     if (constants[i].kind == ConstantKind::modulus) {
       constants[i].in(material) = std::exp(unknowns[i]);
@@ -108,7 +93,7 @@ scene::Material with_unknowns(const ElasticConstants& constants, scene::Material
   }
   const scene::Material of_moduli = material;
   for (std::size_t i = 0; i < constants.size(); ++i) {
-    if (constants[i].kind == ConstantKind::ratio) {
+    if (constants[i].kind != ConstantKind::modulus) {
       constants[i].in(material) = unknowns[i] * constants[i].unit(of_moduli);
     }
   }
@@ -118,10 +103,10 @@ scene::Material with_unknowns(const ElasticConstants& constants, scene::Material
   return material;
 }
 
-Eigen::MatrixXd value_slopes(const ElasticConstants& constants, const scene::Material& material) {
+Eigen::MatrixXd value_slopes(const ElasticConstants& constants, const TurnedMaterial& material) {
   const Eigen::VectorXd here = unknowns(constants, material);
   const auto values = [&](const Eigen::VectorXd& there) {
-    scene::Material other = with_unknowns(constants, material, there);
+    TurnedMaterial other = with_unknowns(constants, material, there);
     Eigen::VectorXd found(here.size());
     std::ranges::transform(constants, found.begin(),
                            [&](const ElasticConstant& constant) { return constant.in(other); });

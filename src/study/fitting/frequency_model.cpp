@@ -35,15 +35,15 @@ std::vector<Multiplet> multiplets_of(const std::vector<StrainedMode>& modes) {
 
 }  // namespace
 
-FrequencyModel::FrequencyModel(const std::vector<StrainedMode>& modes, const scene::Material& material,
+FrequencyModel::FrequencyModel(const std::vector<StrainedMode>& modes, const TurnedMaterial& material,
                                Eigen::Matrix3d axes)
     : axes_(std::move(axes)), stiffness_(stiffness(material)), multiplets_(multiplets_of(modes)) {}
 
-solid::StiffnessMatrix FrequencyModel::stiffness(const scene::Material& material) const {
-  return solid::stiffness_matrix(solid::elasticity(material, axes_));
+solid::StiffnessMatrix FrequencyModel::stiffness(const TurnedMaterial& material) const {
+  return solid::stiffness_matrix(solid::elasticity(material, axes_ * material.turn()));
 }
 
-Eigen::VectorXd FrequencyModel::frequencies(const scene::Material& material) const {
+Eigen::VectorXd FrequencyModel::frequencies(const TurnedMaterial& material) const {
   const solid::StiffnessMatrix change = stiffness(material) - stiffness_;
   Eigen::VectorXd values(multiplets_.size());
   std::ranges::transform(multiplets_, values.begin(), [&](const Multiplet& multiplet) {
@@ -54,7 +54,7 @@ Eigen::VectorXd FrequencyModel::frequencies(const scene::Material& material) con
   return values;
 }
 
-Eigen::MatrixXd FrequencyModel::cents_slopes(const ElasticConstants& constants, const scene::Material& material) const {
+Eigen::MatrixXd FrequencyModel::cents_slopes(const ElasticConstants& constants, const TurnedMaterial& material) const {
   const Eigen::VectorXd squares = (2 * std::numbers::pi * frequencies(material)).array().square();
   const Eigen::VectorXd point = unknowns(constants, material);
   Eigen::MatrixXd slopes(multiplets_.size(), constants.size());

@@ -28,19 +28,19 @@ class FrequencyModel {
  public:
   /// @param modes     of the body with this material, ascending
   /// @param material  that they belong to
-  /// @param axes      of an orthotropic material in the body, in the columns
-  FrequencyModel(const std::vector<StrainedMode>& modes, const scene::Material& material, Eigen::Matrix3d axes);
+  /// @param axes      of a material that is not isotropic and not turned, in the body, in the columns
+  FrequencyModel(const std::vector<StrainedMode>& modes, const TurnedMaterial& material, Eigen::Matrix3d axes);
 
   [[nodiscard]] const std::vector<Multiplet>& multiplets() const { return multiplets_; }
 
   /// Frequencies (Hz) of all multiplets with another material: w^2 + (C - C_0) : Q. Exact to first order in C - C_0.
-  [[nodiscard]] Eigen::VectorXd frequencies(const scene::Material& material) const;
+  [[nodiscard]] Eigen::VectorXd frequencies(const TurnedMaterial& material) const;
 
   /// Derivatives of their cents by the unknowns of the constants, [multiplets x constants].
-  [[nodiscard]] Eigen::MatrixXd cents_slopes(const ElasticConstants& constants, const scene::Material& material) const;
+  [[nodiscard]] Eigen::MatrixXd cents_slopes(const ElasticConstants& constants, const TurnedMaterial& material) const;
 
  private:
-  [[nodiscard]] solid::StiffnessMatrix stiffness(const scene::Material& material) const;
+  [[nodiscard]] solid::StiffnessMatrix stiffness(const TurnedMaterial& material) const;
 
   Eigen::Matrix3d axes_;
   solid::StiffnessMatrix stiffness_;  ///< C_0

@@ -16,7 +16,7 @@ namespace idiophone::fitting {
 /// A specimen that was measured, and how its constants are known.
 struct Specimen {
   const StrainedBody& body;
-  const scene::Material& material;
+  const TurnedMaterial& material;
   const ElasticConstants& constants;
   const Expectation& expected;
   ResidualSpread residuals;

@@ -9,7 +9,7 @@
 
 namespace idiophone::fitting {
 
-Eigen::VectorXd line_residuals(const FitProblem& problem, const LinePairs& pairs, const scene::Material& material) {
+Eigen::VectorXd line_residuals(const FitProblem& problem, const LinePairs& pairs, const TurnedMaterial& material) {
   const Eigen::VectorXd frequencies = problem.model.frequencies(material);
   Eigen::VectorXd values(static_cast<Eigen::Index>(pairs.size()));
   std::ranges::transform(pairs, values.begin(), [&](const auto& pair) {
@@ -19,7 +19,7 @@ Eigen::VectorXd line_residuals(const FitProblem& problem, const LinePairs& pairs
   return values;
 }
 
-Eigen::MatrixXd line_slopes(const FitProblem& problem, const LinePairs& pairs, const scene::Material& material) {
+Eigen::MatrixXd line_slopes(const FitProblem& problem, const LinePairs& pairs, const TurnedMaterial& material) {
   const Eigen::MatrixXd slopes = problem.model.cents_slopes(problem.constants, material);
   Eigen::MatrixXd values(static_cast<Eigen::Index>(pairs.size()), slopes.cols());
   for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -30,8 +30,8 @@ Eigen::MatrixXd line_slopes(const FitProblem& problem, const LinePairs& pairs, c
   return values;
 }
 
-scene::Material fit_pairs(const FitProblem& problem, const LinePairs& pairs, const scene::Material& start,
-                          const FitRules& rules) {
+TurnedMaterial fit_pairs(const FitProblem& problem, const LinePairs& pairs, const TurnedMaterial& start,
+                         const FitRules& rules) {
   if (rules.ties.cols() == 0) {
     return start;
   }
@@ -41,7 +41,7 @@ scene::Material fit_pairs(const FitProblem& problem, const LinePairs& pairs, con
     return with_unknowns(problem.constants, start, origin + rules.ties * moves);
   };
   const auto residuals = [&](const Eigen::VectorXd& moves) -> std::optional<Eigen::VectorXd> {
-    const scene::Material material = material_at(moves);
+    const TurnedMaterial material = material_at(moves);
     if (!is_stable(material)) {
       return {};
     }
@@ -69,7 +69,7 @@ scene::Material fit_pairs(const FitProblem& problem, const LinePairs& pairs, con
           .point);
 }
 
-MatchedFit fit_and_match(const FitProblem& problem, const scene::Material& start, const FitRules& rules) {
+MatchedFit fit_and_match(const FitProblem& problem, const TurnedMaterial& start, const FitRules& rules) {
   MatchedFit fit{.material = start, .pairs = {}};
   constexpr int most_turns = 20;
   for (int turn = 0; turn < most_turns; ++turn) {
@@ -85,7 +85,7 @@ MatchedFit fit_and_match(const FitProblem& problem, const scene::Material& start
   return fit;
 }
 
-MatchedFit fit_around(const FitProblem& problem, const scene::Material& start, const FitRules& rules,
+MatchedFit fit_around(const FitProblem& problem, const TurnedMaterial& start, const FitRules& rules,
                       const std::vector<double>& around) {
   constexpr double clearly = 1e-3;
   const Eigen::VectorXd middle = unknowns(problem.constants, start);
@@ -93,8 +93,7 @@ MatchedFit fit_around(const FitProblem& problem, const scene::Material& start, c
   for (Eigen::Index unknown = 0; unknown < rules.ties.cols(); ++unknown) {
     for (const double distance : around) {
       for (const double change : {-distance, distance}) {
-        const scene::Material other =
-            with_unknowns(problem.constants, start, middle + change * rules.ties.col(unknown));
+        const TurnedMaterial other = with_unknowns(problem.constants, start, middle + change * rules.ties.col(unknown));
         if (!is_stable(other)) {
           continue;
         }

@@ -32,31 +32,31 @@ struct FitRules {
 };
 
 struct MatchedFit {
-  scene::Material material;
+  TurnedMaterial material;
   LinePairs pairs;    ///< none if no line has a mode
   double cost = 0.0;  ///< of the assignment
 };
 
 /// Constants with the least squares of the pairs' distances over the lines' uncertainties.
 /// @param start  a stable material
-[[nodiscard]] scene::Material fit_pairs(const FitProblem& problem, const LinePairs& pairs, const scene::Material& start,
-                                        const FitRules& rules);
+[[nodiscard]] TurnedMaterial fit_pairs(const FitProblem& problem, const LinePairs& pairs, const TurnedMaterial& start,
+                                       const FitRules& rules);
 
 /// Matches and fits in turn from a material, until the assignment stays.
-[[nodiscard]] MatchedFit fit_and_match(const FitProblem& problem, const scene::Material& start, const FitRules& rules);
+[[nodiscard]] MatchedFit fit_and_match(const FitProblem& problem, const TurnedMaterial& start, const FitRules& rules);
 
 /// The same from several starts around a material. Where modes cross, fits end in one of several minima: the one of the
 /// cheapest assignment is taken.
 /// @param around  changes of each unknown, to and fro
-[[nodiscard]] MatchedFit fit_around(const FitProblem& problem, const scene::Material& start, const FitRules& rules,
+[[nodiscard]] MatchedFit fit_around(const FitProblem& problem, const TurnedMaterial& start, const FitRules& rules,
                                     const std::vector<double>& around);
 
 /// Distances of the lines above their modes over the lines' uncertainties. [pairs]
 [[nodiscard]] Eigen::VectorXd line_residuals(const FitProblem& problem, const LinePairs& pairs,
-                                             const scene::Material& material);
+                                             const TurnedMaterial& material);
 
 /// Their derivatives by the unknowns of all constants. [pairs x constants]
 [[nodiscard]] Eigen::MatrixXd line_slopes(const FitProblem& problem, const LinePairs& pairs,
-                                          const scene::Material& material);
+                                          const TurnedMaterial& material);
 
 }  // namespace idiophone::fitting

@@ -5,17 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
+
+#include "fit_names.hpp"
 
 namespace idiophone::fitting {
 
 namespace {
 
-constexpr std::size_t first_lines = 20;    // of a fit, the lowest; twice as many with each solve
-constexpr double first_tolerance = 200.0;  // cents; halved with each solve, down to the wanted one
-constexpr double largest_shift = 1000.0;   // cents, by which all frequencies may be wrong at first
-constexpr double nearby = 0.03;   // change of an unknown, for which solved modes still span those that are wanted
 constexpr double settled = 3e-4;  // at the end; what is left is the square of it
 constexpr int most_turns = 12;
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -23,11 +20,11 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// The search was told to stop.
 struct Stopped {};
 
-double distance(const ElasticConstants& constants, const scene::Material& a, const scene::Material& b) {
+}  // namespace
+
+double distance(const ElasticConstants& constants, const TurnedMaterial& a, const TurnedMaterial& b) {
   return (unknowns(constants, a) - unknowns(constants, b)).lpNorm<Eigen::Infinity>();
 }
-
-}  // namespace
 
 MaterialFit::MaterialFit(StrainedBody body, const Measurements& measured, const IdentificationOptions& options)
     : options_(options),
@@ -42,9 +39,9 @@ MaterialFit::MaterialFit(StrainedBody body, const Measurements& measured, const 
   if (measured.mass) {
     start_.density = *measured.mass / body_.volume();
   }
-  static_cast<void>(elastic_constants(start_, options.constants));  // refuses unknown names
-  constants_ = elastic_constants(start_, {});
-  stages_ = stages_of_ties(constants_, start_, options.constants);
+  const std::vector<std::string> to_fit = names_to_fit(start_, options.constants);
+  constants_ = constants_and_turns(start_, to_fit);
+  stages_ = stages_of_ties(constants_, start_, to_fit);
   material_ = start_;
   expected_ = expectation_of(start_);
   mesh_errors_.resize(lines_.size());
@@ -72,61 +69,12 @@ void MaterialFit::run(Identification& result) {
   }
   if (!result.stopped) {
     try {
+      look_for_equivalents(result);
       look_further(result);
     } catch (const Stopped&) {  // the constants are there; only the advice is missing
     }
   }
   tell(result);
-}
-
-/// From the lowest lines and modes, on a coarser mesh where that is possible, until the modes belong to about the
-/// constants that they give.
-void MaterialFit::begin() {
-  const std::vector<Line> lowest(lines_.begin(), lines_.begin() + std::min(first_lines, lines_.size()));
-  std::optional<StrainedBody> coarser = body_.coarser();
-  StrainedBody& body = coarser ? *coarser : body_;
-  const auto solve = [&] {
-    modelled_ = material_;
-    model_ = body.lowest(material_, static_cast<int>(2 * lowest.size() + 5));
-    note_solve();
-  };
-  solve();
-  find_start(lowest);
-  constexpr int most_repetitions = 3;
-  const FitRules rules{stages_.back(), std::max(options_.tolerance, first_tolerance / 2), &expected_};
-  for (int turn = 0; turn < most_repetitions && distance(constants_, material_, modelled_) > nearby; ++turn) {
-    solve();
-    material_ = fit_and_match({lowest, *model_, constants_}, material_, rules).material;
-  }
-}
-
-/// All moduli at once, by the likeliest common shifts of all frequencies, then more and more unknowns. The best of
-/// these fits is where the search goes on.
-void MaterialFit::find_start(const std::vector<Line>& lowest) {
-  const FitProblem problem{lowest, *model_, constants_};
-  constexpr double judging = 100.0;  // cents
-  double smallest = infinity;
-  for (const double shift : likely_shifts(lowest)) {
-    scene::Material material = with_unknowns(
-        constants_, start_, unknowns(constants_, start_) + shift / 600 * std::numbers::ln2 * stages_.front().col(0));
-    const Expectation expected = expectation_of(material);
-    for (const Ties& ties : stages_) {
-      const double tolerance = std::max(options_.tolerance, first_tolerance);
-      material = fit_around(problem, material, {ties, tolerance, &expected}, {0.03, 0.1}).material;
-    }
-    const Assignment matched = assign(lowest, *model_, material, judging);
-    if (!matched.pairs.empty() && matched.cost < smallest) {
-      smallest = matched.cost;
-      material_ = material;
-      expected_ = expected;
-    }
-  }
-  if (!std::isfinite(smallest)) {
-    throw std::runtime_error(fmt::format(
-        "no line is within {:g} cents of a mode of the body, even if all are shifted: are shape, size, material and "
-        "constraints those of the measured body?",
-        judging));
-  }
 }
 
 /// Solves and fits in turn, with more lines and a smaller tolerance each time. All constants may change, and the
@@ -157,8 +105,23 @@ void MaterialFit::settle() {
 }
 
 bool MaterialFit::is_settled() const {
-  return solved_ && distance(constants_, material_, *solved_) < roughly &&
-         distance(constants_, material_, modelled_) < settled;
+  return solved_ && has_stayed(*solved_, roughly) && has_stayed(modelled_, settled);
+}
+
+/// Whether no unknown has changed by more than that since there was this material, or a turn by a small part of its
+/// interval: where the lines hardly move with a turn, it goes on changing without an effect.
+bool MaterialFit::has_stayed(const TurnedMaterial& before, double within) const {
+  constexpr double small = 0.1;
+  const Eigen::VectorXd changes = unknowns(constants_, material_) - unknowns(constants_, before);
+  for (std::size_t k = 0; k < constants_.size(); ++k) {
+    const auto place = static_cast<Eigen::Index>(k);
+    const double part =
+        constants_[k].kind == ConstantKind::turn ? small * widths_[place] / constants_[k].unit(material_) : 0.0;
+    if (std::abs(changes[place]) > std::max(within, part)) {
+      return false;
+    }
+  }
+  return true;
 }
 
 /// The modes up to all lines with the present material.
@@ -169,10 +132,15 @@ void MaterialFit::renew_model(double trusted) {
     model_ = body_.nearby(material_);
     return;
   }
-  constexpr double more = 30.0;  // cents
-  model_ = body_.model(material_, highest_ * std::exp2((options_.tolerance + more) / 1200));
+  model_ = body_.model(material_, model_up_to());
   solved_ = material_;
   note_solve();
+}
+
+/// The frequency up to which all modes are solved, Hz.
+double MaterialFit::model_up_to() const {
+  constexpr double more = 30.0;  // cents
+  return highest_ * std::exp2((options_.tolerance + more) / 1200);
 }
 
 void MaterialFit::note_solve() {
@@ -184,10 +152,10 @@ void MaterialFit::heed_watch() const {
   if (!options_.watch) {
     return;
   }
-  constexpr int usually = 3;
-  const int expected = std::max(usually, solves_ + 1);
+  constexpr int usually = 3;  // besides those of the starts
+  const int expected = std::max(usually + starting_turns(), solves_ + 1);
   std::string best;
-  scene::Material now = material_;
+  TurnedMaterial now = material_;
   for (const ElasticConstant& constant : constants_) {
     best += fmt::format("{}{} {:.4g}", best.empty() ? "" : ", ", constant.name, constant.in(now));
   }
@@ -210,17 +178,8 @@ double MaterialFit::adopt(const MatchedFit& fit) {
   return change;
 }
 
-/// The common shifts of all frequencies to begin with, the likeliest first; none where not all moduli may change.
-std::vector<double> MaterialFit::likely_shifts(const std::vector<Line>& lines) const {
-  constexpr int most = 3;
-  const auto moduli = std::ranges::count(constants_, ConstantKind::modulus, &ElasticConstant::kind);
-  return stages_.front().sum() == static_cast<double>(moduli)
-             ? common_shifts(lines, *model_, start_, largest_shift, most)
-             : std::vector{0.0};
-}
-
-/// Moduli within a fifth or so of a table's, ratios within 0.1.
-Expectation MaterialFit::expectation_of(const scene::Material& material) const {
+/// Moduli within a fifth or so of a table's, ratios within 0.1, turns within 17 degrees.
+Expectation MaterialFit::expectation_of(const TurnedMaterial& material) const {
   Expectation expected{unknowns(constants_, material), {}};
   expected.deviation.resize(expected.middle.size());
   std::ranges::transform(constants_, expected.deviation.begin(), expected_deviation);
@@ -228,8 +187,8 @@ Expectation MaterialFit::expectation_of(const scene::Material& material) const {
 }
 
 void MaterialFit::tell(Identification& result) const {
-  scene::Material found = material_;
-  scene::Material deck = start_;
+  TurnedMaterial found = material_;
+  TurnedMaterial deck = start_;
   for (std::size_t k = 0; k < constants_.size(); ++k) {
     const auto place = static_cast<Eigen::Index>(k);
     if (stages_.back().row(place).sum() > 0) {
@@ -238,10 +197,14 @@ void MaterialFit::tell(Identification& result) const {
                                   .start = constants_[k].in(deck),
                                   .half_width = widths_[place],
                                   .determined = chosen_[k],
-                                  .would_be_determined = is_promised_[k]});
+                                  .would_be_determined = is_promised_[k],
+                                  .has_no_effect = has_no_effect(constants_[k])});
     }
   }
   result.material = material_;
+  if (has_turns()) {
+    result.grain = body_.grain_of(material_);
+  }
   result.volume = body_.volume();
   result.solves = solves_;
 }

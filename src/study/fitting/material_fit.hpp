@@ -16,7 +16,13 @@
 
 namespace idiophone::fitting {
 
-inline constexpr double roughly = 3e-3;  // change of an unknown, before the constants are chosen
+inline constexpr double roughly = 3e-3;           // change of an unknown, before the constants are chosen
+inline constexpr double nearby = 0.03;            // for which solved modes still span those that are wanted
+inline constexpr std::size_t first_lines = 20;    // of a fit, the lowest; twice as many with each solve
+inline constexpr double first_tolerance = 200.0;  // cents; halved with each solve, down to the wanted one
+
+/// The largest change of an unknown between two materials.
+[[nodiscard]] double distance(const ElasticConstants& constants, const TurnedMaterial& a, const TurnedMaterial& b);
 
 /// A fit in progress.
 class MaterialFit {
@@ -27,7 +33,7 @@ class MaterialFit {
   /// Fits, from few constants to all that the lines determine.
   void run(Identification& result);
 
-  [[nodiscard]] const scene::Material& material() const { return material_; }
+  [[nodiscard]] const TurnedMaterial& material() const { return material_; }
   [[nodiscard]] const FrequencyModel& model() const { return *model_; }
   [[nodiscard]] std::size_t fitted_lines() const { return lines_.size(); }
   /// Cents by which the mesh may make the mode of a fitted line wrong; 0 for a line without a mode.
@@ -35,8 +41,15 @@ class MaterialFit {
 
  private:
   struct Held {
-    scene::Material material;
+    TurnedMaterial material;
     double squares;  ///< of the lines' distances over their uncertainties; infinite where there is no such material
+  };
+
+  /// Where a search may go on.
+  struct Start {
+    TurnedMaterial material;
+    Expectation expected;
+    double cost = 0.0;  ///< of the assignment of the lowest lines to its modes
   };
 
   /// Modes whose lines may be measured next.
@@ -48,22 +61,36 @@ class MaterialFit {
   };
 
   void begin();
-  void find_start(const std::vector<Line>& lowest);
+  [[nodiscard]] int starting_turns() const;
+  [[nodiscard]] std::vector<TurnedMaterial> turned_starts() const;
+  [[nodiscard]] std::vector<Start> find_starts(const std::vector<Line>& lowest, StrainedBody& body);
+  void solve_lowest(StrainedBody& body, const TurnedMaterial& material, std::size_t lines);
+  void approach(const std::vector<Line>& lowest, StrainedBody& body, Start& start, double least);
+  void keep(const Start& start);
   void refine();
   void choose();
   void weigh();
   void settle();
+  void look_for_equivalents(Identification& result);
+  [[nodiscard]] std::optional<TurnedMaterial> with_turns(const Vector3& turns) const;
+  [[nodiscard]] bool are_within_intervals(const TurnedMaterial& a, const TurnedMaterial& b) const;
+  [[nodiscard]] bool fits_as_well(const TurnedMaterial& material);
   void look_further(Identification& result);
   void renew_model(double trusted);
   void note_solve();
   void heed_watch() const;
   double adopt(const MatchedFit& fit);
   [[nodiscard]] FitProblem problem() const { return {lines_, *model_, constants_}; }
-  [[nodiscard]] std::vector<double> likely_shifts(const std::vector<Line>& lines) const;
-  [[nodiscard]] Expectation expectation_of(const scene::Material& material) const;
+  [[nodiscard]] std::vector<double> likely_shifts(const std::vector<Line>& lines, const TurnedMaterial& start) const;
+  [[nodiscard]] bool has_turns() const;
+  [[nodiscard]] double model_up_to() const;
+  [[nodiscard]] bool has_no_effect(const ElasticConstant& constant) const;
+  [[nodiscard]] Expectation expectation_of(const TurnedMaterial& material) const;
   [[nodiscard]] Held fit_chosen(const std::vector<bool>& chosen) const;
   [[nodiscard]] bool add_needed(std::vector<bool>& chosen) const;
   [[nodiscard]] Evidence evidence() const;
+  [[nodiscard]] Evidence over_turns(Evidence evidence) const;
+  [[nodiscard]] Eigen::VectorXd secant(Eigen::Index turn, double change) const;
   [[nodiscard]] Eigen::VectorXd held_constants() const;
   [[nodiscard]] FurtherModes further_modes();
   [[nodiscard]] double usual_uncertainty() const;
@@ -74,11 +101,12 @@ class MaterialFit {
                                          double half_width) const;
   [[nodiscard]] Eigen::VectorXd widths_by_lines(const Eigen::MatrixXd& slopes) const;
   [[nodiscard]] bool is_settled() const;
+  [[nodiscard]] bool has_stayed(const TurnedMaterial& before, double within) const;
   void tell(Identification& result) const;
 
   const IdentificationOptions& options_;
   StrainedBody body_;
-  scene::Material start_, material_;
+  TurnedMaterial start_, material_;
   const std::vector<Line>& measured_;
   std::vector<Line> lines_;  ///< to be fitted
   double highest_ = 0.0;     ///< of all lines, Hz
@@ -86,8 +114,8 @@ class MaterialFit {
   std::vector<Ties> stages_;
   Expectation expected_;
   std::optional<FrequencyModel> model_;
-  scene::Material modelled_;               ///< that the model is of
-  std::optional<scene::Material> solved_;  ///< with which all modes up to the highest line were solved last
+  TurnedMaterial modelled_;               ///< that the model is of
+  std::optional<TurnedMaterial> solved_;  ///< with which all modes up to the highest line were solved last
   LinePairs pairs_;
   std::vector<double> mesh_errors_;  ///< [lines] cents
   std::vector<bool> chosen_;         ///< [constants] fitted in the end

@@ -51,7 +51,7 @@ Evidence MaterialFit::evidence() const {
 
 /// Of the 95 % intervals of what has these derivatives by the unknowns.
 Eigen::VectorXd MaterialFit::widths_by_lines(const Eigen::MatrixXd& slopes) const {
-  const Evidence known = evidence();
+  const Evidence known = over_turns(evidence());
   return half_widths(known, residual_spread(known, expected_), expected_, slopes);
 }
 
@@ -90,11 +90,11 @@ MaterialFit::Held MaterialFit::fit_chosen(const std::vector<bool>& chosen) const
       values[static_cast<Eigen::Index>(k)] = of_deck[static_cast<Eigen::Index>(k)];
     }
   }
-  const scene::Material held = with_unknowns(constants_, material_, values);
+  const TurnedMaterial held = with_unknowns(constants_, material_, values);
   if (!is_stable(held)) {
     return {material_, std::numeric_limits<double>::infinity()};
   }
-  const scene::Material found =
+  const TurnedMaterial found =
       fit_pairs(problem(), pairs_, held, {.ties = single_ties(chosen), .tolerance = options_.tolerance});
   return {found, line_residuals(problem(), pairs_, found).squaredNorm()};
 }

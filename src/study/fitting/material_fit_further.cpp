@@ -82,7 +82,7 @@ void MaterialFit::look_further(Identification& result) {
 Eigen::VectorXd MaterialFit::held_constants() const {
   Eigen::VectorXd held = (stages_.back().array() != 0).rowwise().any().cast<double>();
   for (std::size_t k = 0; k < chosen_.size(); ++k) {
-    if (chosen_[k]) {
+    if (chosen_[k] || has_no_effect(constants_[k])) {
       held[static_cast<Eigen::Index>(k)] = 0;
     }
   }

@@ -27,7 +27,7 @@ MaterialSlopes material_slopes(const scene::Solids& solids, const mesh::Part& pa
         {modes[static_cast<std::size_t>(mode)].frequency, products.of(Eigen::VectorXd::Unit(count, mode))});
   }
   const FrequencyModel model(strained, material, body.material_axes());
-  const ElasticConstants constants = elastic_constants(material, {});
+  const ElasticConstants constants = elastic_constants(material);
   const Eigen::MatrixXd of_multiplets = model.cents_slopes(constants, material);
   MaterialSlopes slopes{{}, Eigen::VectorXd(constants.size()), Eigen::MatrixXd(count, of_multiplets.cols())};
   std::ranges::transform(constants, std::back_inserter(slopes.names), &ElasticConstant::name);
@@ -52,7 +52,7 @@ Eigen::VectorXd stable_part(const scene::Material& material, const Eigen::Vector
 }
 
 scene::Material moved(const scene::Material& material, const Eigen::VectorXd& amounts) {
-  const ElasticConstants constants = elastic_constants(material, {});
+  const ElasticConstants constants = elastic_constants(material);
   return with_unknowns(constants, material, unknowns(constants, material) + amounts);
 }
 

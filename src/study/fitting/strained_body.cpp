@@ -48,6 +48,7 @@ StrainedBody::StrainedBody(const scene::Solids& solids, eigenmodes::MassMatrix m
 StrainedBody::StrainedBody(scene::Body body, scene::Material material, double max_frequency,
                            eigenmodes::MassMatrix mass, mesh::Mesh mesh)
     : body_(std::move(body)),
+      grain_(body_.grain),
       material_(std::move(material)),
       max_frequency_(max_frequency),
       mass_(mass),
@@ -62,7 +63,7 @@ StrainedBody::StrainedBody(scene::Body body, scene::Material material, double ma
 StrainedBody StrainedBody::stretched(int side, double factor) const {
   const Vector3 axis = direction(side);
   const Eigen::Matrix3d stretch = Eigen::Matrix3d::Identity() + (factor - 1) * axis * axis.transpose();
-  scene::Body body = body_;
+  scene::Body body = unturned();
   for (scene::Support& support : body.supports) {
     support.place.at = stretch * support.place.at;
   }
@@ -83,7 +84,7 @@ std::optional<StrainedBody> StrainedBody::coarser() const {
       std::min(plane, thickness) < least) {
     return {};
   }
-  scene::Body body = body_;
+  scene::Body body = unturned();
   body.element = element::with_orders(body_.element, {plane - 1, thickness - 1});
   scene::Solids solids = alone();
   solids.bodies = {&body, 1};
@@ -100,21 +101,32 @@ StrainedBody StrainedBody::reduced(int modes) const {
 scene::Solids StrainedBody::alone() const {
   scene::Solids result;
   result.bodies = {&body_, 1};
-  result.materials = {&material_, 1};
+  result.materials = {static_cast<const scene::Material*>(&material_), 1};
   result.max_frequency = max_frequency_;
   return result;
 }
 
-solid::StiffnessMatrix StrainedBody::stiffness() const {
-  return solid::stiffness_matrix(solid::elasticity(material_, body_.material_axes()));
+solid::StiffnessMatrix StrainedBody::stiffness_of(const TurnedMaterial& material) const {
+  return solid::stiffness_matrix(solid::elasticity(material, axes() * material.turn()));
 }
 
-FrequencyModel StrainedBody::solve(const scene::Material& material, const eigenmodes::Options& options) {
+void StrainedBody::take(const TurnedMaterial& material) {
+  material_ = material;
+  body_.grain = grain_of(material);
+}
+
+scene::Body StrainedBody::unturned() const {
+  scene::Body body = body_;
+  body.grain = grain_;
+  return body;
+}
+
+FrequencyModel StrainedBody::solve(const TurnedMaterial& material, const eigenmodes::Options& options) {
   if (is_reduced_) {
     return nearby(material);
   }
-  material_ = material;
-  stiffness_ = stiffness();
+  take(material);
+  stiffness_ = stiffness_of(material);
   std::vector<eigenmodes::Mode> found =
       eigenmodes::find_modes(alone(), part_, attachments_, options, MPI_COMM_SELF).modes;
   std::ranges::sort(found, {}, &eigenmodes::Mode::frequency);  // a loss factor shifts each a little
@@ -129,25 +141,34 @@ FrequencyModel StrainedBody::solve(const scene::Material& material, const eigenm
   return nearby(material);
 }
 
-// Supports are in the squares, so the change of the material is all that is added.
-FrequencyModel StrainedBody::nearby(const scene::Material& material) {
-  material_ = material;
-  Eigen::MatrixXd stiff = products_.energies(stiffness() - stiffness_);
-  stiff.diagonal() += squares_;
-  auto [squares, factors] = dense::eigenpairs(stiff);
+/// Of the modes that were solved last. Supports are in the squares, so the change of the material is all that is added.
+Eigen::MatrixXd StrainedBody::energies_of(const TurnedMaterial& material) const {
+  Eigen::MatrixXd energies = products_.energies(stiffness_of(material) - stiffness_);
+  energies.diagonal() += squares_;
+  return energies;
+}
+
+Eigen::VectorXd StrainedBody::frequencies_nearby(const TurnedMaterial& material) const {
+  const Eigen::VectorXd squares = dense::eigenpairs(energies_of(material)).values;
+  return squares.cwiseMax(0).cwiseSqrt() / (2 * std::numbers::pi);
+}
+
+FrequencyModel StrainedBody::nearby(const TurnedMaterial& material) {
+  take(material);
+  auto [squares, factors] = dense::eigenpairs(energies_of(material));
   factors_ = std::move(factors);
   std::vector<StrainedMode> modes;
   for (Eigen::Index m = 0; m < squares.size(); ++m) {
     modes.push_back({std::sqrt(std::max(squares[m], 0.0)) / (2 * std::numbers::pi), products_.of(factors_.col(m))});
   }
-  return {modes, material, body_.material_axes()};
+  return {modes, material, axes()};
 }
 
-FrequencyModel StrainedBody::model(const scene::Material& material, double up_to) {
+FrequencyModel StrainedBody::model(const TurnedMaterial& material, double up_to) {
   return solve(material, {.count = 1, .up_to = up_to, .mass = mass_});
 }
 
-FrequencyModel StrainedBody::lowest(const scene::Material& material, int count) {
+FrequencyModel StrainedBody::lowest(const TurnedMaterial& material, int count) {
   const auto room = static_cast<int>(part_.node_ids.size());  // a third of the components
   return solve(material, {.count = std::clamp(count, 1, std::max(1, room)), .mass = mass_});
 }

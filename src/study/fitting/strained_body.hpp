@@ -39,23 +39,33 @@ class StrainedBody {
   /// @throws what eigenmodes::find_modes() throws
   [[nodiscard]] StrainedBody reduced(int modes) const;
 
-  [[nodiscard]] const scene::Material& material() const { return material_; }   ///< of the last model, or of the scene
+  [[nodiscard]] const TurnedMaterial& material() const { return material_; }    ///< of the last model, or of the scene
   [[nodiscard]] double volume() const { return statistics_.volume; }            ///< m3
   [[nodiscard]] const Vector3& extents() const { return statistics_.extents; }  ///< mesh::Statistics::extents
   [[nodiscard]] Vector3 direction(int side) const { return statistics_.axes.col(side); }
+  [[nodiscard]] const Eigen::Matrix3d& directions() const { return statistics_.axes; }
 
   /// All modes up to a frequency (Hz) with a material, as a model for similar materials.
   /// @throws what eigenmodes::find_modes() throws
-  [[nodiscard]] FrequencyModel model(const scene::Material& material, double up_to);
+  [[nodiscard]] FrequencyModel model(const TurnedMaterial& material, double up_to);
 
   /// The lowest modes with a material; fewer than `count` on a mesh with little room.
   /// @throws what eigenmodes::find_modes() throws
-  [[nodiscard]] FrequencyModel lowest(const scene::Material& material, int count);
+  [[nodiscard]] FrequencyModel lowest(const TurnedMaterial& material, int count);
 
   /// The same modes with a similar material, without another eigenvalue problem: the best ones in the space of the
   /// modes that were solved last (Rayleigh and Ritz). Exact for a common factor of all moduli; else, frequencies are
   /// too high by the square of the change times what modes beyond the last one take part.
-  [[nodiscard]] FrequencyModel nearby(const scene::Material& material);
+  [[nodiscard]] FrequencyModel nearby(const TurnedMaterial& material);
+
+  /// The frequencies of these modes alone, ascending, Hz. [modes]
+  [[nodiscard]] Eigen::VectorXd frequencies_nearby(const TurnedMaterial& material) const;
+
+  /// The axes of a material that is not turned, in the columns.
+  [[nodiscard]] Eigen::Matrix3d axes() const { return body_.turn() * grain_; }
+
+  /// Body::grain of a material with its turns.
+  [[nodiscard]] Eigen::Matrix3d grain_of(const TurnedMaterial& material) const { return grain_ * material.turn(); }
 
   struct Antinode {
     Vector3 place;      ///< m
@@ -76,11 +86,15 @@ class StrainedBody {
 
   /// The body by itself, of the present material.
   [[nodiscard]] scene::Solids alone() const;
-  [[nodiscard]] FrequencyModel solve(const scene::Material& material, const eigenmodes::Options& options);
-  [[nodiscard]] solid::StiffnessMatrix stiffness() const;  ///< of the present material
+  [[nodiscard]] FrequencyModel solve(const TurnedMaterial& material, const eigenmodes::Options& options);
+  [[nodiscard]] solid::StiffnessMatrix stiffness_of(const TurnedMaterial& material) const;
+  [[nodiscard]] Eigen::MatrixXd energies_of(const TurnedMaterial& material) const;
+  void take(const TurnedMaterial& material);
+  [[nodiscard]] scene::Body unturned() const;
 
   scene::Body body_;
-  scene::Material material_;
+  Eigen::Matrix3d grain_;  ///< of the body in the deck; body_ has the present one
+  TurnedMaterial material_;
   double max_frequency_;  ///< Hz
   eigenmodes::MassMatrix mass_;
   mesh::Mesh mesh_;
@@ -89,7 +103,7 @@ class StrainedBody {
   motion::Attachments attachments_;
   Eigen::MatrixXd shapes_;            ///< of the modes that were solved last, [3 x nodes, modes]
   Eigen::VectorXd squares_;           ///< their w^2, (rad/s)^2
-  solid::StiffnessMatrix stiffness_;  ///< of their material
+  solid::StiffnessMatrix stiffness_;  ///< of their material, turned as it was
   StrainProducts products_;           ///< of their shapes
   bool is_reduced_ = false;           ///< to these modes
   bool is_stretched_ = false;         ///< so that the deck's mesh is that of another body

@@ -13,20 +13,23 @@
 namespace idiophone::fitting {
 
 struct IdentificationOptions {
-  std::vector<std::string> constants = {};  ///< names of those to fit; empty: all of the material
-  double tolerance = 50.0;                  ///< the largest distance of a line from its mode, cents
-  std::optional<int> lines = {};            ///< fit only so many, the lowest; the others show how well it predicts
+  /// Names of the constants to fit, and of the turns turn_x, turn_y and turn_z of a material that is not isotropic,
+  /// about its own axes. "constants" stands for all constants, "turns" for the three turns. Empty: all constants.
+  std::vector<std::string> constants = {};
+  double tolerance = 50.0;        ///< the largest distance of a line from its mode, cents
+  std::optional<int> lines = {};  ///< fit only so many, the lowest; the others show how well it predicts
   eigenmodes::MassMatrix mass = eigenmodes::MassMatrix::consistent;
   Watch watch = {};  ///< none: the search goes on to its end
 };
 
 struct IdentifiedConstant {
   std::string name;         ///< as IdentificationOptions::constants takes it
-  double value = 0.0;       ///< Pa, or no unit
+  double value = 0.0;       ///< Pa, no unit, or degrees of a turn from the deck's axes
   double start = 0.0;       ///< in the deck
   double half_width = 0.0;  ///< of its 95 % confidence interval; infinite if the search was stopped before
   bool determined = true;   ///< it was fitted; if not, the lines do not need it and it has its value in the deck
   bool would_be_determined = false;  ///< by Identification::further; only if it is not
+  bool has_no_effect = false;        ///< a turn about an axis around which the material is the same in all directions
 };
 
 /// A line and the modes that it is.
@@ -75,6 +78,8 @@ struct FurtherSize {
 struct Identification {
   scene::Material material;                   ///< as the deck has it, with what was found
   std::vector<IdentifiedConstant> constants;  ///< in the material's order
+  std::optional<Eigen::Matrix3d> grain;       ///< scene::Body::grain with the turns that were fitted; none if none were
+  std::vector<Vector3> equivalent_turns;      ///< degrees, with which the lines fit as well, by symmetry of the body
   std::vector<AssignedLine> lines;            ///< ascending
   std::vector<MissingModes> missing;          ///< ascending
   std::vector<FurtherLine> further;           ///< that would determine the constants that are not; by constant
@@ -90,16 +95,17 @@ struct Identification {
   std::vector<std::string> doubts;            ///< why the fit is not accepted, sentences; empty: it explains the lines
 };
 
-/// Fits the elastic constants of a body to measured lines: Gauss-Newton with Levenberg's damping, weighted by the
-/// lines' uncertainties. Derivatives are those of Hellmann and Feynman, exact by the mode shapes. The fit begins with a
-/// common factor of all moduli and adds unknowns. A measured mass gives the density, decay times the damping. The 95 %
-/// intervals contain the lines' uncertainties, the errors of the mesh and those of constants that are held. A constant
-/// whose interval is wider than +-10 %, or of a Poisson's ratio +-0.1, keeps the deck's value if the lines fit as well
-/// with it, and further lines are named that would determine it, or another size of the specimen. The fit is not
-/// accepted where a line is false, or where the root of the mean square of the fitted lines' cents over their
-/// uncertainties is above 3. On this rank alone.
+/// Fits the elastic constants of a body, and turns of its material's axes, to measured lines: Gauss-Newton with
+/// Levenberg's damping, weighted by the lines' uncertainties. Derivatives are those of Hellmann and Feynman, exact by
+/// the mode shapes. The fit begins with a common factor of all moduli and adds unknowns. A measured mass gives the
+/// density, decay times the damping. The 95 % intervals contain the lines' uncertainties, the errors of the mesh and
+/// those of constants that are held. A constant whose interval is wider than +-10 %, or of a Poisson's ratio +-0.1,
+/// keeps the deck's value if the lines fit as well with it, and further lines are named that would determine it, or
+/// another size of the specimen. The fit is not accepted where a line is false, or where the root of the mean square of
+/// the fitted lines' cents over their uncertainties is above 3. On this rank alone.
 /// @param solids  one body (scene::Solids::alone)
-/// @throws std::runtime_error for an unknown constant, or if no line fits any mode; deck::DeckError for a wrong mesh;
+/// @throws std::runtime_error for an unknown constant, turns of an isotropic material, or if no line fits any mode;
+/// deck::DeckError for a wrong mesh;
 ///         what eigenmodes::find_modes() throws
 [[nodiscard]] Identification identify(const scene::Solids& solids, const Measurements& measured,
                                       const IdentificationOptions& options);
