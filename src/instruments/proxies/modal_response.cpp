@@ -6,8 +6,11 @@
 #include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 namespace idiophone::proxies {
 
@@ -32,20 +35,14 @@ void check(const Lattice& lattice, std::span<const KnownMode> modes) {
   }
 }
 
-/// The orthonormal vectors that are nearest to some vectors (P.-O. Lowdin, J. Chem. Phys. 18, 1950).
-Eigen::MatrixXd orthonormal(const Eigen::MatrixXd& vectors) {
-  constexpr double least_part = 0.1;  // of the masses' motion that is in one mode only
-  const Eigen::VectorXd lengths = vectors.colwise().norm();
-  if (!(lengths.minCoeff() > 0.0)) {
-    throw std::invalid_argument("a mode moves no mass of the lattice");
+/// The orthonormal vectors that are nearest to some vectors (P.-O. Lowdin, J. Chem. Phys. 18, 1950), if these differ.
+std::optional<Eigen::MatrixXd> orthonormal(const Eigen::MatrixXd& vectors) {
+  constexpr double least_part = 0.1;  // of the square of a vector that is in no other one
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> products(vectors.transpose() * vectors);
+  if (!(products.eigenvalues()[0] >= least_part)) {
+    return std::nullopt;
   }
-  const Eigen::MatrixXd unit = vectors * lengths.cwiseInverse().asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> products(unit.transpose() * unit);
-  if (products.eigenvalues()[0] < least_part) {
-    throw std::invalid_argument("its " + std::to_string(vectors.cols()) +
-                                " modes look alike on the few masses of the lattice; it needs smaller elements");
-  }
-  return unit * products.operatorInverseSqrt();
+  return vectors * products.operatorInverseSqrt();
 }
 
 Eigen::MatrixXd orthonormal_span(const Eigen::MatrixXd& vectors) {
@@ -84,7 +81,13 @@ Eigen::MatrixXd ModalResponse::known_shapes(std::span<const KnownMode> modes) co
       }
     }
   }
-  return orthonormal(deformed(roots_.asDiagonal() * shapes));
+  shapes = roots_.asDiagonal() * shapes;
+  shapes = deformed(shapes.colwise().normalized());
+  if (std::optional<Eigen::MatrixXd> different = orthonormal(shapes)) {
+    return std::move(*different);
+  }
+  throw std::invalid_argument("its " + std::to_string(modes.size()) +
+                              " modes look alike on the few masses of the lattice; it needs smaller elements");
 }
 
 /// What is left of vectors without their rigid motion.
@@ -147,31 +150,49 @@ Flexibility ModalResponse::flexibility(const Eigen::VectorXd& stiffness) const {
   return {.matrix = forces.transpose() * displacements, .elongations = elongations(displacements)};
 }
 
-Eigen::VectorXd ModalResponse::lowest_squares(const Eigen::VectorXd& stiffness) const {
+/// Of a lattice, ascending.
+struct ModalResponse::OwnModes {
+  Eigen::VectorXd squares;  ///< [modes] (rad/s)^2
+  Eigen::MatrixXd vectors;  ///< [unknowns x modes] times the roots of the masses; orthonormal
+};
+
+/// By subspace iteration.
+ModalResponse::OwnModes ModalResponse::own_modes(const Eigen::VectorXd& stiffness, Eigen::Index count) const {
   constexpr Eigen::Index more = 8;  // vectors than modes: the last ones converge slowly
   constexpr int most_rounds = 100;
   constexpr double enough = 1e-6;
   const Cholesky factors(shifted_stiffness(stiffness));
-  const Eigen::Index count = std::min(shapes_.cols() + more, shapes_.rows() - rigid_.cols());
-  Eigen::MatrixXd vectors(shapes_.rows(), count);
+  Eigen::MatrixXd vectors(shapes_.rows(), std::min(count + more, shapes_.rows() - rigid_.cols()));
   std::mt19937 random(1);
-  for (double& value : vectors.rightCols(count - shapes_.cols()).reshaped()) {
+  for (double& value : vectors.reshaped()) {
     value = static_cast<double>(random()) / static_cast<double>(std::mt19937::max()) - 0.5;
   }
   vectors.leftCols(shapes_.cols()) = shapes_;
-  Eigen::VectorXd squares = squares_;
-  for (int iteration = 0; iteration < most_rounds; ++iteration) {
+  count = std::min(count, vectors.cols());
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(count);
+  for (int round = 0; round < most_rounds; ++round) {
     vectors = orthonormal_span(deformed(vectors));
     const Eigen::MatrixXd next = roots_.asDiagonal() * factors.solve(roots_.asDiagonal() * vectors).eval();
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz(vectors.transpose() * next);
     const Eigen::VectorXd before = std::move(squares);
-    squares = ritz.eigenvalues().reverse().head(before.size()).cwiseInverse().array() - shift_;
-    vectors = next;
+    squares = ritz.eigenvalues().reverse().head(count).cwiseInverse().array() - shift_;
+    vectors = next * ritz.eigenvectors().rowwise().reverse();
     if ((squares - before).cwiseAbs().cwiseQuotient(squares).maxCoeff() < enough) {
       break;
     }
   }
-  return squares;
+  return {.squares = squares, .vectors = orthonormal_span(vectors.leftCols(count))};
+}
+
+Eigen::VectorXd ModalResponse::lowest_squares(const Eigen::VectorXd& stiffness) const {
+  return own_modes(stiffness, shapes_.cols()).squares;
+}
+
+void ModalResponse::turn_to_modes(const Eigen::VectorXd& stiffness) {
+  const OwnModes own = own_modes(stiffness, shapes_.cols() + shapes_.cols() / 2);
+  if (std::optional<Eigen::MatrixXd> turned = orthonormal(own.vectors * (own.vectors.transpose() * shapes_))) {
+    shapes_ = std::move(*turned);
+  }
 }
 
 }  // namespace idiophone::proxies

@@ -27,12 +27,18 @@ class ModalResponse {
   /// @param stiffness  of the springs, N/m
   [[nodiscard]] Flexibility flexibility(const Eigen::VectorXd& stiffness) const;
 
-  /// Squares of the lowest angular frequencies, as many as modes, by subspace iteration. Ascending, (rad/s)^2
+  /// Squares of the lowest angular frequencies, as many as modes. Ascending, (rad/s)^2
   [[nodiscard]] Eigen::VectorXd lowest_squares(const Eigen::VectorXd& stiffness) const;
+
+  /// Turns the shapes into the space of the lattice's own lowest modes, so that its flexibility against them tells its
+  /// frequencies exactly. Shapes that these modes do not have stay as they are, and all others with them.
+  void turn_to_modes(const Eigen::VectorXd& stiffness);
 
   [[nodiscard]] const Eigen::VectorXd& known_squares() const { return squares_; }  ///< (rad/s)^2
 
  private:
+  struct OwnModes;
+  [[nodiscard]] OwnModes own_modes(const Eigen::VectorXd& stiffness, Eigen::Index count) const;
   [[nodiscard]] Eigen::MatrixXd known_shapes(std::span<const KnownMode> modes) const;
   [[nodiscard]] Eigen::MatrixXd rigid_motions() const;
   [[nodiscard]] Eigen::MatrixXd deformed(const Eigen::MatrixXd& vectors) const;

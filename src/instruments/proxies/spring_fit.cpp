@@ -112,17 +112,16 @@ Vector minimum_within(const Limits& limits, const Misfit& misfit, const Vector& 
 }
 
 /// Logarithms of the factors, by Levenberg's and Marquardt's method.
-Vector fitted(const Fit& fit, const Limits& limits) {
+/// @param x       where it begins
+/// @param centre  from where changes are counted
+Vector fitted(const Fit& fit, const Limits& limits, Vector x, const Vector& centre) {
   constexpr int most_trials = 25;
   constexpr double first_damping = 1e-2, least_damping = 1e-12, largest_damping = 1e6;
   constexpr double enough = 1e-3;  // relative decrease in an iteration
-  const Vector centre =
-      Vector::Constant(limits.least.size(), std::log(fit.common_factor())).cwiseMax(limits.least).cwiseMin(limits.most);
   const double inertia = reluctance * reluctance;
-  const auto cost_of = [&](const Misfit& misfit, const Vector& x) {
-    return misfit.values.squaredNorm() + inertia * (x - centre).squaredNorm();
+  const auto cost_of = [&](const Misfit& there, const Vector& place) {
+    return there.values.squaredNorm() + inertia * (place - centre).squaredNorm();
   };
-  Vector x = centre;
   Misfit misfit = fit.misfit(x);
   double cost = cost_of(misfit, x), damping = first_damping;
   for (int iteration = 0; iteration < most_trials && damping < largest_damping; ++iteration) {
@@ -172,15 +171,18 @@ std::vector<double> cents(const Vector& squares, const Vector& known) {
 
 std::size_t modes_to_fit(const Lattice& lattice) {
   constexpr double most = 24.0;
-  return static_cast<std::size_t>(
-      std::clamp(std::sqrt(0.5 * static_cast<double>(lattice.springs().size())), 1.0, most));
+  return static_cast<std::size_t>(std::min(std::sqrt(static_cast<double>(lattice.springs().size())), most));
 }
 
 SpringFit fit_springs(const Lattice& lattice, std::span<const KnownMode> modes) {
-  const ModalResponse response(lattice, modes);
+  ModalResponse response(lattice, modes);
   const Fit fit(lattice, response);
   const Limits limits = limits_of(lattice);
-  const Vector logarithms = fitted(fit, limits);
+  const Vector even =
+      Vector::Constant(limits.least.size(), std::log(fit.common_factor())).cwiseMax(limits.least).cwiseMin(limits.most);
+  const Vector near = fitted(fit, limits, even, even);
+  response.turn_to_modes(fit.stiffness(near));
+  const Vector logarithms = fitted(fit, limits, near, even);
   const auto cents_with = [&](const Vector& x) {
     return cents(response.lowest_squares(fit.stiffness(x)), response.known_squares());
   };
