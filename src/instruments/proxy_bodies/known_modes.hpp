@@ -9,8 +9,8 @@
 
 namespace idiophone::proxy_bodies {
 
-/// The lowest modes, by quadratic elements with straight edges and the consistent mass on the tetrahedra of the proxy.
-/// Fixed groups are held; nothing else acts on the body.
+/// The lowest modes, by quadratic elements with straight edges and the consistent mass on the tetrahedra of the proxy,
+/// or on halved ones where these are few. Fixed groups are held; nothing else acts on the body.
 /// @param body   of the solids
 /// @param mesh   of the body, tet4, whose nodes are the masses of the proxy
 /// @throws std::runtime_error as eigenmodes::find_modes(), or if the body can still move rigidly in some ways only
