@@ -16,8 +16,7 @@ using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
 constexpr double softest = 0.02, stiffest = 3.0;  // factors
-constexpr double reluctance =
-    1e-3;  // of the logarithm of a factor to change by 1, over a flexibility that is wrong by 1
+constexpr double reluctance = 1e-3;     // weight of a logarithm that changes by 1, over a flexibility that errs by 1
 constexpr double share_of_pairs = 0.3;  // weight of what two modes do to each other, over that of one mode
 
 /// What the fit makes small, and how it changes.
@@ -129,7 +128,7 @@ Vector fitted(const Fit& fit, const Limits& limits, Vector x, const Vector& cent
     const Vector next = minimum_within(limits, misfit, x, between, inertia + damping);
     Misfit of_next = fit.misfit(next);
     const double next_cost = cost_of(of_next, next);
-    if (next_cost >= cost) {
+    if (!(next_cost < cost)) {
       damping *= 16.0;
       continue;
     }
