@@ -166,6 +166,55 @@ class Proxies(Rendered):
         file.write_text(block_mesh([("mass", "Element", lambda i: 1)]))
         self.assertRegex(self.proxies(*block, score=blow, status=program.WRONG_DECK), r"'mass' of .* must be \$NodeData")
 
+    def test_fitted_springs_have_the_pitch_of_finite_elements(self):
+        blow = ("duration: 0.1\nevents:\n"
+                "  - {time: 0, at: [0.195, 0, 0.0075], direction: [0, 0, -1], mass: 0.01, hardness: 1e7, speed: 1}\n")
+        bar = ["--set", f"bodies.plate.mesh={program.SOURCE / 'meshes/bar.geo'}", "--set", "bodies.plate.fixed=null",
+               "--set", "bodies.plate.parameters={length: 0.2, width: 0.03, thickness: 0.015, size: 0.015, layers: 1}",
+               "--set", "materials.rubber.young=5e9"]
+        job = program.idiophone("modes", program.deck("simple"), "--mass", "consistent", "--modes", 1, "--no-estimate", "--json",
+                                "--output-folder", self.output, *bar)
+        self.require_status(job, program.FINISHED)
+        frequency = json.loads(job.stdout)["modes"][0]["frequency"] * (1 << 14) / 8000  # as a line of the spectrum
+
+        def cents(*options, score=blow):
+            told = self.proxies(*bar, *options, score=score)
+            spectrum = abs(numpy.fft.rfft(self.sound()[1][:800] * numpy.hanning(800), 1 << 14))
+            return told, 1200 * numpy.log2(spectrum.argmax() / frequency)  # the lowest partial is the strongest
+        told, sharp = cents()
+        self.assertNotIn("fitted", told)
+        self.assertGreater(sharp, 500)  # one layer of springs is stiff in bending
+        plain = self.sound()[1]
+        cents("--springs", "van_gelder")
+        self.assertEqual(self.sound()[1].tobytes(), plain.tobytes())
+        told, fitted = cents("--springs", "fitted")
+        self.assertAlmostEqual(fitted, 0, delta=10)
+        found = re.search(r"plate: springs fitted to 18 modes; the lowest ones are ([-+]\d+) .* elements, ([-+]\d+)", told)
+        self.assertAlmostEqual(int(found[1]), fitted, delta=5)
+        self.assertAlmostEqual(int(found[2]), sharp, delta=5)
+        tuned = blow + "  - {type: tune, time: 0, tension: 0.49}\n"
+        self.assertAlmostEqual(cents("--springs", "fitted", score=tuned)[1], 1200 * numpy.log2(0.7), delta=15)
+        told = self.proxies(*bar, "--springs", "fitted", "--strength", "plate=1e4", "--most-active", 100, score=blow)
+        self.assertRegex(told, r"plate broke into \d+ pieces")
+        self.assertEqual(self.proxies(*bar, "--springs", "fitted", "--levels", 2, score=blow).count("springs fitted"), 2)
+
+    def test_fitted_springs_say_when_they_cannot_be(self):
+        told = self.proxies("--springs", "fitted", "--set", "bodies.plate.fixed=[body]", status=program.WRONG_DECK)
+        self.assertRegex(told, r"the springs of body 'plate' can't be fitted: .* all of it is held.*--springs van_gelder")
+
+    def test_own_values_multiply_fitted_springs(self):
+        blow = ("duration: 0.1\nevents:\n"
+                "  - {time: 0, at: [0.06, 0.02, 0.02], direction: [0, 0, -1], mass: 0.01, hardness: 1e7, speed: 1}\n")
+        file = self.output / "block.msh"
+        block = ["--set", f"bodies.plate.mesh={file}", "--set", "bodies.plate.fixed=null", "--set", "bodies.plate.parameters=null",
+                 "--set", "materials.rubber.damping={mass: 20, stiffness: 1e-6}", "--springs", "fitted"]
+
+        def pitch(*views):
+            file.write_text(block_mesh(views))
+            self.proxies(*block, score=blow)
+            return self.pitch(self.sound()[1])
+        self.assertAlmostEqual(pitch(("spring_stiffness", "Element", lambda i: 0.49)) / pitch(), 0.7, delta=0.01)
+
     def test_a_file_gives_single_springs_their_own_values(self):
         blow = ("duration: 0.1\nevents:\n"
                 "  - {time: 0, at: [0.06, 0.02, 0.02], direction: [0, 0, -1], mass: 0.01, hardness: 1e7, speed: 1}\n")

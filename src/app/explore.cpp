@@ -10,6 +10,7 @@
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/scene/find_body.hpp"
 #include "map_warnings.hpp"
+#include "stage_options.hpp"
 
 namespace idiophone::app {
 
@@ -20,6 +21,7 @@ struct ExploreOptions {
   std::filesystem::path page = "explorer.html";  ///< to write
   std::filesystem::path proxies;                 ///< deck whose bodies also get proxies, if any
   std::vector<std::string> overrides;            ///< of this deck
+  proxy_bodies::Springs springs = proxy_bodies::Springs::van_gelder;
   int levels = 1;  ///< meshes of each body, each with elements twice as large as the one before
 };
 
@@ -31,6 +33,7 @@ void declare(CLI::App& app, ExploreOptions& options) {
   app.add_option("--levels", options.levels, "of detail of the proxies")
       ->check(CLI::Range(1, 6))
       ->capture_default_str();
+  add_springs(app, options.springs);
   add_overrides(app, options.overrides);
 }
 
@@ -41,7 +44,8 @@ std::vector<explorer::ProxyLevels> proxies_of_maps(const ExploreOptions& options
   if (!options.proxies.empty()) {
     const scene::Scene scene = bodies::read_deck(options.proxies, options.overrides, MPI_COMM_WORLD);
     for (const sound_maps::SoundMap& map : maps) {
-      proxies.push_back(proxy_bodies::proxy_levels(scene, scene::find_body(scene.bodies, map.body), options.levels));
+      proxies.push_back(
+          proxy_bodies::proxy_levels(scene, scene::find_body(scene.bodies, map.body), options.levels, options.springs));
     }
   }
   return proxies;

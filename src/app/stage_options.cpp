@@ -46,9 +46,16 @@ void add_strength(const std::string& text, std::map<std::string, double>& streng
 
 }  // namespace
 
+void add_springs(CLI::App& app, proxy_bodies::Springs& springs) {
+  const deck::Choices<proxy_bodies::Springs> choices{
+      {{"van_gelder", proxy_bodies::Springs::van_gelder}, {"fitted", proxy_bodies::Springs::fitted}}};
+  add_choice(app, "--springs", springs, choices, "of proxies: by the material, or fitted to modes of finite elements");
+}
+
 void add_proxies(CLI::App& app, timbre::ProxySettings& settings) {
   proxies::EngineOptions& engine = settings.engine;
   app.add_option("--report", settings.report, "CSV file for the choices of the proxies' levels over time");
+  add_springs(app, settings.springs);
   app.add_option("--levels", settings.levels,
                  "meshes of each proxy, each with elements twice as large as the one before")
       ->check(CLI::Range(1, 6))

@@ -10,6 +10,9 @@ namespace idiophone::app {
 /// Who drives the bodies, and where their sound goes.
 void add_stage(CLI::App& app, timbre::PlaySettings& settings);
 
+/// How stiff the springs of proxies are.
+void add_springs(CLI::App& app, proxy_bodies::Springs& springs);
+
 /// How bodies of decks become proxies.
 void add_proxies(CLI::App& app, timbre::ProxySettings& settings);
 

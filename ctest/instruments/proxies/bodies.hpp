@@ -1,8 +1,10 @@
 #pragma once
 // Small bodies for the tests of proxies.
 
+#include <Eigen/Eigenvalues>
 #include <memory>
 #include <random>
+#include <utility>
 
 #include "idiophone/instruments/proxies/lattice.hpp"
 
@@ -41,6 +43,35 @@ inline TetrahedralMesh regular_tetrahedron() {
   mesh.tetrahedra = {{0, 1, 2, 3}};
   mesh.surface = exterior_triangles(mesh.nodes, mesh.tetrahedra);
   return mesh;
+}
+
+/// Stiffness of all springs about the body at rest, with their tension, [3 masses x 3 masses] N/m.
+inline Eigen::MatrixXd stiffness_of(const Lattice& lattice) {
+  const Index size = 3 * static_cast<Index>(lattice.masses().size());
+  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(size, size);
+  for (const Spring& spring : lattice.springs()) {
+    const Vector3 way = lattice.mesh().nodes[spring.b] - lattice.mesh().nodes[spring.a], n = way.normalized();
+    const double force = spring.stiffness * (way.norm() - spring.natural);
+    const Eigen::Matrix3d along = n * n.transpose();
+    const Eigen::Matrix3d block = spring.stiffness * along + force / way.norm() * (Eigen::Matrix3d::Identity() - along);
+    for (const auto& [i, j] : {std::pair(spring.a, spring.b), std::pair(spring.b, spring.a)}) {
+      sum.block<3, 3>(3 * i, 3 * i) += block;
+      sum.block<3, 3>(3 * i, 3 * j) -= block;
+    }
+  }
+  return sum;
+}
+
+using Eigensystem = Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>;
+
+/// All modes of a free body: squares of angular frequencies, ascending, and shapes of unit modal mass.
+inline Eigensystem modes_of(const Lattice& lattice) {
+  Eigen::VectorXd masses(3 * std::ssize(lattice.masses()));
+  for (Eigen::Index i = 0; i < masses.size(); ++i) {
+    masses[i] = lattice.masses()[static_cast<std::size_t>(i / 3)];
+  }
+  const Eigen::MatrixXd mass = masses.asDiagonal();
+  return Eigensystem(stiffness_of(lattice), mass);
 }
 
 }  // namespace idiophone::proxies

@@ -380,5 +380,32 @@ TEST(Fracture, SameBitsForAnyBlocks) {
   EXPECT_EQ(whole, parts);
 }
 
+/// Sum of k l^2, which is that of the tetrahedra, however they hang together, J.
+double spring_energy(const std::vector<Fragment>& fragments) {
+  double sum = 0.0;
+  for (const Fragment& fragment : fragments) {
+    for (const Spring& spring : fragment.lattice->springs()) {
+      sum += spring.stiffness * spring.natural * spring.natural;
+    }
+  }
+  return sum;
+}
+
+TEST(Fracture, PiecesKeepTheFactorsOfTheirSprings) {
+  OwnValues own;
+  std::mt19937 random(2);
+  std::uniform_real_distribution<double> uniform(0.1, 1.0);
+  for (std::size_t t = 0; t < bar()->mesh().tetrahedra.size(); ++t) {
+    std::ranges::generate(own.edges.emplace_back(), [&] { return uniform(random); });
+  }
+  const auto soft = std::make_shared<Lattice>(bar()->mesh(), bar()->material(), std::vector<Index>{}, own);
+  const auto displacement = [](double x) { return 2e-3 * std::clamp(x - 0.15, 0.0, 0.06); };
+  const Fragment chain = stretched(soft, displacement);
+  const std::vector<Fragment> pieces = all_broken(chain, {.tensile = 1e8 * 1e-4, .shortest_spring = 1.0});
+  ASSERT_GT(pieces.size(), 1U);
+  EXPECT_NEAR(spring_energy(pieces) / spring_energy({chain}), 1.0, 1e-12);
+  EXPECT_LT(spring_energy({chain}), 0.7 * spring_energy({stretched(bar(), displacement)}));
+}
+
 }  // namespace
 }  // namespace idiophone::proxies

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -51,33 +50,11 @@ double frequency_in_shape(const std::shared_ptr<const Lattice>& lattice, const s
   return 2.0 / step * std::sin(0.5 * heard * step);
 }
 
-/// Stiffness of all springs about the body at rest, with their tension, [3 masses x 3 masses] N/m.
-Eigen::MatrixXd stiffness_of(const Lattice& lattice) {
-  const Index size = 3 * static_cast<Index>(lattice.masses().size());
-  Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(size, size);
-  for (const Spring& spring : lattice.springs()) {
-    const Vector3 way = lattice.mesh().nodes[spring.b] - lattice.mesh().nodes[spring.a], n = way.normalized();
-    const double force = spring.stiffness * (way.norm() - spring.natural);
-    const Eigen::Matrix3d along = n * n.transpose();
-    const Eigen::Matrix3d block = spring.stiffness * along + force / way.norm() * (Eigen::Matrix3d::Identity() - along);
-    for (const auto& [i, j] : {std::pair(spring.a, spring.b), std::pair(spring.b, spring.a)}) {
-      sum.block<3, 3>(3 * i, 3 * i) += block;
-      sum.block<3, 3>(3 * i, 3 * j) -= block;
-    }
-  }
-  return sum;
-}
-
 /// Compares the lowest modes of a free body with the eigenvalues of its matrices.
 void expect_exact_eigenvalues(const std::shared_ptr<const Lattice>& lattice) {
   constexpr Index rigid = 6, compared = 4;
   const std::size_t count = lattice->masses().size();
-  Eigen::VectorXd masses(3 * count);
-  for (std::size_t i = 0; i < 3 * count; ++i) {
-    masses[static_cast<Index>(i)] = lattice->masses()[i / 3];
-  }
-  const Eigen::MatrixXd stiffness = stiffness_of(*lattice), mass = masses.asDiagonal();
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(stiffness, mass);
+  const Eigensystem modes = modes_of(*lattice);
   const double largest = modes.eigenvalues().maxCoeff();
   EXPECT_LT(modes.eigenvalues().head(rigid).cwiseAbs().maxCoeff(), 1e-9 * largest);
   EXPECT_LT(std::sqrt(largest), lattice->largest_angular_frequency());

@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <cmath>
 #include <random>
@@ -120,25 +119,6 @@ TEST(Proxy, FreeBodyDoesNotDrift) {
   EXPECT_LT(mean.norm(), 1e-5 * largest.norm());
 }
 
-/// Angular frequencies and mass-normalised shapes of a lattice, rigid ones first.
-Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes_of(const Lattice& lattice) {
-  const auto size = static_cast<Index>(3 * lattice.masses().size());
-  Eigen::MatrixXd stiffness = Eigen::MatrixXd::Zero(size, size), mass = stiffness;
-  for (const Spring& spring : lattice.springs()) {
-    const Vector3 direction = (lattice.mesh().nodes[spring.b] - lattice.mesh().nodes[spring.a]).normalized();
-    const Eigen::Matrix3d block = spring.stiffness * direction * direction.transpose();
-    const Eigen::Index a = Eigen::Index{3} * spring.a, b = Eigen::Index{3} * spring.b;
-    stiffness.block<3, 3>(a, a) += block;
-    stiffness.block<3, 3>(b, b) += block;
-    stiffness.block<3, 3>(a, b) -= block;
-    stiffness.block<3, 3>(b, a) -= block;
-  }
-  for (Index i = 0; i < size; ++i) {
-    mass(i, i) = lattice.masses()[i / 3];
-  }
-  return {stiffness, mass};
-}
-
 /// As modes of finite elements with the same damping do.
 TEST(Proxy, ModesDecayAsRayleighDampingSays) {
   constexpr Damping damping{.mass = 10.0, .stiffness = 2e-5};
@@ -186,7 +166,7 @@ TEST(Proxy, SpringsHaveDampersOfTheirOwn) {
         mesh,
         Material{.young = rubber.young, .density = rubber.density, .damping = {.mass = 1.0, .stiffness = stiffness}},
         std::vector<Index>{},
-        OwnValues{.stiffness = {}, .damping = std::move(own), .length = {}, .masses = {}, .springs = {}});
+        OwnValues{.stiffness = {}, .damping = std::move(own), .length = {}, .edges = {}, .masses = {}, .springs = {}});
   };
   // All alike: twice the damper of each spring is twice that of the material.
   const double expected = energy_after(damped(2e-5, {}), 400);

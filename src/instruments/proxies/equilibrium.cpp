@@ -5,6 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "free_masses.hpp"
+
 namespace idiophone::proxies {
 
 namespace {
@@ -16,18 +18,13 @@ constexpr double regularization = 1e-9;  // over the largest stiffness: a free b
 /// The elastic energy as a function of the places of the masses that are not pinned.
 class Energy {
  public:
-  Energy(std::span<const Spring> springs, const std::vector<bool>& pinned) : springs_(springs) {
-    for (const bool is_pinned : pinned) {
-      first_.push_back(is_pinned ? -1 : unknowns_);
-      unknowns_ += is_pinned ? 0 : 3;
-    }
-  }
+  Energy(std::span<const Spring> springs, const std::vector<bool>& pinned) : springs_(springs), masses_(pinned) {}
 
   [[nodiscard]] std::vector<Vector3> moved(const std::vector<Vector3>& nodes, const Eigen::VectorXd& step) const {
     std::vector<Vector3> result = nodes;
     for (std::size_t i = 0; i < nodes.size(); ++i) {
-      if (first_[i] >= 0) {
-        result[i] += step.segment<3>(first_[i]);
+      if (masses_.is_free(i)) {
+        result[i] += step.segment<3>(masses_.first(i));
       }
     }
     return result;
@@ -44,7 +41,7 @@ class Energy {
 
   /// N
   [[nodiscard]] Eigen::VectorXd forces(const std::vector<Vector3>& nodes) const {
-    Eigen::VectorXd forces = Eigen::VectorXd::Zero(unknowns_);
+    Eigen::VectorXd forces = Eigen::VectorXd::Zero(masses_.unknowns());
     for (const Spring& spring : springs_) {
       const Vector3 way = nodes[spring.b] - nodes[spring.a];
       const Vector3 pull = spring.stiffness * (1.0 - spring.natural / way.norm()) * way;
@@ -63,12 +60,9 @@ class Energy {
       const double across = with_pressed ? tension_over_length : std::max(tension_over_length, 0.0);
       const Eigen::Matrix3d block =
           spring.stiffness * n * n.transpose() + across * (Eigen::Matrix3d::Identity() - n * n.transpose());
-      add(entries, spring.a, spring.a, block);
-      add(entries, spring.b, spring.b, block);
-      add(entries, spring.a, spring.b, -block);
-      add(entries, spring.b, spring.a, -block);
+      masses_.add_spring(entries, spring, block);
     }
-    Eigen::SparseMatrix<double> matrix(unknowns_, unknowns_);
+    Eigen::SparseMatrix<double> matrix(masses_.unknowns(), masses_.unknowns());
     matrix.setFromTriplets(entries.begin(), entries.end());
     const double shift = regularization * matrix.diagonal().maxCoeff();
     matrix.diagonal().array() += shift;
@@ -77,24 +71,12 @@ class Energy {
 
  private:
   void add(Eigen::VectorXd& forces, Index mass, const Vector3& force) const {
-    if (first_[mass] >= 0) {
-      forces.segment<3>(first_[mass]) += force;
+    if (masses_.is_free(mass)) {
+      forces.segment<3>(masses_.first(mass)) += force;
     }
   }
-  void add(std::vector<Eigen::Triplet<double>>& entries, Index row, Index column, const Eigen::Matrix3d& block) const {
-    if (first_[row] < 0 || first_[column] < 0) {
-      return;
-    }
-    for (int i = 0; i < 3; ++i) {
-      for (int j = 0; j < 3; ++j) {
-        entries.emplace_back(first_[row] + i, first_[column] + j, block(i, j));
-      }
-    }
-  }
-
   std::span<const Spring> springs_;
-  std::vector<Index> first_;  // [masses] of its three unknowns; -1: pinned
-  Index unknowns_ = 0;
+  FreeMasses masses_;
 };
 
 using Factors = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>>;

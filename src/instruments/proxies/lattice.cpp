@@ -1,6 +1,5 @@
 #include "idiophone/instruments/proxies/lattice.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -12,6 +11,7 @@
 #include <utility>
 
 #include "equilibrium.hpp"
+#include "frequency_bound.hpp"
 #include "masses.hpp"
 
 namespace idiophone::proxies {
@@ -38,31 +38,10 @@ std::vector<Spring> merged(const std::vector<Spring>& springs) {
   return merged;
 }
 
-bool all_at_least(const std::vector<double>& values, double limit, bool is_limit_allowed) {
+bool all_at_least(std::span<const double> values, double limit, bool is_limit_allowed) {
   return std::ranges::all_of(values, [&](double value) {
     return std::isfinite(value) && (value > limit || (is_limit_allowed && value == limit));
   });
-}
-
-double bound_of_angular_frequency(const TetrahedralMesh& mesh, std::span<const Spring> springs,
-                                  std::span<const double> masses, const std::vector<bool>& pinned) {
-  std::vector<Eigen::Matrix3d> stiffness(masses.size(), Eigen::Matrix3d::Zero());
-  for (const Spring& spring : springs) {
-    const Vector3 way = mesh.nodes[spring.b] - mesh.nodes[spring.a], direction = way.normalized();
-    const double across = std::max(spring.tension / way.norm(), 0.0);
-    const Eigen::Matrix3d of_spring =
-        (spring.stiffness - across) * direction * direction.transpose() + across * Eigen::Matrix3d::Identity();
-    stiffness[spring.a] += of_spring;
-    stiffness[spring.b] += of_spring;
-  }
-  double largest = 0.0;
-  for (std::size_t i = 0; i < masses.size(); ++i) {
-    if (!pinned[i]) {
-      const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(stiffness[i], Eigen::EigenvaluesOnly);
-      largest = std::max(largest, 2.0 * solver.eigenvalues()[2] / masses[i]);
-    }
-  }
-  return std::sqrt(largest);
 }
 
 /// Distance along a ray at which it goes through a triangle; negative if it does not (Moller and Trumbore, J. Graphics
@@ -125,19 +104,24 @@ void Lattice::check() const {
       !(material_.damping.stiffness >= 0.0)) {
     throw std::invalid_argument("Young's modulus and density must be above 0, damping must not be negative");
   }
-  const auto fits = [](const std::vector<double>& values, std::size_t count) {
-    return values.empty() || values.size() == count;
-  };
-  if (!fits(own_.stiffness, mesh_.tetrahedra.size()) || !fits(own_.damping, mesh_.tetrahedra.size()) ||
-      !fits(own_.length, mesh_.tetrahedra.size()) || !fits(own_.masses, mesh_.nodes.size())) {
+  const auto fits = [](const auto& values, std::size_t count) { return values.empty() || values.size() == count; };
+  if (!fits(own_.stiffness, mesh_.tetrahedra.size()) || !fits(own_.edges, mesh_.tetrahedra.size()) ||
+      !fits(own_.damping, mesh_.tetrahedra.size()) || !fits(own_.length, mesh_.tetrahedra.size()) ||
+      !fits(own_.masses, mesh_.nodes.size())) {
     throw std::invalid_argument("own values are given for all tetrahedra or nodes, or for none");
   }
   if (!all_at_least(own_.stiffness, 0.0, false) || !all_at_least(own_.damping, 0.0, true) ||
       !all_at_least(own_.length, 0.0, false) || !all_at_least(own_.masses, 0.0, false)) {
     throw std::invalid_argument("own stiffness, lengths and masses must be above 0, own damping must not be negative");
   }
+  for (const EdgeFactors& edges : own_.edges) {
+    if (!all_at_least(edges, 0.0, false)) {
+      throw std::invalid_argument("the factors of edges must be above 0");
+    }
+  }
   for (const OwnSpring& spring : own_.springs) {
-    if (!all_at_least({spring.stiffness, spring.length}, 0.0, false) || !all_at_least({spring.damping}, 0.0, true)) {
+    if (!all_at_least(std::array{spring.stiffness, spring.length}, 0.0, false) ||
+        !all_at_least(std::array{spring.damping}, 0.0, true)) {
       throw std::invalid_argument("a spring's own stiffness and length must be above 0, its damping not negative");
     }
   }
@@ -150,13 +134,15 @@ void Lattice::find_springs(std::span<const double> volumes) {
   std::vector<Spring> springs;
   for (std::size_t t = 0; t < volumes.size(); ++t) {
     const auto& nodes = mesh_.tetrahedra[t];
+    std::size_t edge = 0;
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t j = i + 1; j < 4; ++j) {
         const auto [a, b] = std::minmax(nodes[i], nodes[j]);
         const double length = (mesh_.nodes[b] - mesh_.nodes[a]).norm();
+        const double factor = own_stiffness(t) * own_edges(t)[edge++];
         springs.push_back({.a = a,
                            .b = b,
-                           .stiffness = material_.young * own_stiffness(t) * volumes[t] / (length * length),
+                           .stiffness = material_.young * factor * volumes[t] / (length * length),
                            .damping = material_.damping.stiffness * own_damping(t),
                            .section = volumes[t] / length,
                            .natural = length * (own_.length.empty() ? 1.0 : own_.length[t])});
@@ -241,7 +227,8 @@ Lattice::Lattice(TetrahedralMesh mesh, const Material& material, std::span<const
     find_rest(volume);
   }
   inertia_ = inertia_of(mesh_.nodes, masses_);
-  largest_angular_frequency_ = bound_of_angular_frequency(mesh_, springs_, masses_, pinned_);
+  const std::vector<double> squares = frequency_bounds(mesh_.nodes, springs_, masses_, pinned_);
+  largest_angular_frequency_ = std::sqrt(std::ranges::max(squares));
 }
 
 Contact Lattice::contact_at(const Vector3& point) const {

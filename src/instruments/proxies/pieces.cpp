@@ -259,6 +259,7 @@ Fragment Pieces::fragment_of(const std::vector<std::size_t>& tetrahedra) const {
       own.masses[number[node]] += shares_[t][i];
     }
     own.stiffness.push_back(whole_->own_stiffness(origin_[t]));
+    own.edges.push_back(whole_->own_edges(origin_[t]));
     own.damping.push_back(whole_->own_damping(origin_[t]));
     const std::vector<std::size_t>& before = whole_->mesh().origin;
     mesh.origin.push_back(before.empty() ? origin_[t] : before[origin_[t]]);

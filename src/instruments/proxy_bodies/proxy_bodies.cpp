@@ -7,11 +7,15 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <stdexcept>
+#include <string>
+#include <utility>
 
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/scene/joined_bodies.hpp"
 #include "idiophone/solids/mesh/mesh_values.hpp"
+#include "known_modes.hpp"
 #include "own_springs.hpp"
 
 namespace idiophone::proxy_bodies {
@@ -101,7 +105,49 @@ proxies::OwnValues own_values(const scene::Body& body, const std::vector<mesh::M
   return own;
 }
 
-std::shared_ptr<const proxies::Lattice> lattice_of(const scene::Body& meshed, const scene::Material& material) {
+std::string listed(std::span<const double> cents) {
+  constexpr std::size_t most = 5;
+  std::string text;
+  for (const double each : cents.first(std::min(cents.size(), most))) {
+    text += fmt::format(" {:+.0f}", each);
+  }
+  return text;
+}
+
+/// A body and one mesh of its proxy.
+struct MeshedProxy {
+  const scene::Solids& solids;
+  std::size_t body;           ///< of the solids
+  const scene::Body& meshed;  ///< the same with the elements of the proxy
+};
+
+/// @param plain  the lattice without values of its own
+std::vector<proxies::EdgeFactors> fitted_edges(const MeshedProxy& proxy, const mesh::Mesh& mesh,
+                                               const proxies::Lattice& plain) {
+  constexpr double far = 100.0;  // cents, of which a warning tells
+  try {
+    const auto modes = known_modes(proxy.solids, proxy.body, mesh, proxies::modes_to_fit(plain));
+    proxies::SpringFit fit = proxies::fit_springs(plain, modes);
+    spdlog::info("{}: springs fitted to {} modes; the lowest ones are{} cents from those of finite elements,{} before",
+                 proxy.meshed.name, modes.size(), listed(fit.after), listed(fit.before));
+    const auto is_far = [](double cents) { return std::abs(cents) > far; };
+    if (const auto count = std::ranges::count_if(fit.after, is_far); count > 0) {
+      spdlog::warn(
+          "{}: {} of its {} fitted modes are more than {} cents from those of finite elements; smaller elements "
+          "follow them better",
+          proxy.meshed.name, count, modes.size(), far);
+    }
+    return std::move(fit.edges);
+  } catch (const std::exception& error) {
+    throw deck::DeckError(proxy.meshed.mesh_where,
+                          fmt::format("the springs of body '{}' can't be fitted: {}. --springs van_gelder does without",
+                                      proxy.meshed.name, error.what()));
+  }
+}
+
+std::shared_ptr<const proxies::Lattice> lattice_of(const MeshedProxy& proxy, Springs springs) {
+  const scene::Body& meshed = proxy.meshed;
+  const scene::Material& material = proxy.solids.materials[meshed.material];
   const auto [mesh, views] = mesh::read_mesh_with_values(meshed);
   std::vector<Index> pinned;
   for (const scene::FixedGroup& fixed : meshed.fixed) {
@@ -113,27 +159,27 @@ std::shared_ptr<const proxies::Lattice> lattice_of(const scene::Body& meshed, co
   if (meshed.springs) {
     own.springs = own_springs(*meshed.springs, tetrahedra);
   }
+  const proxies::Material of_springs{
+      .young = material.young, .density = material.density, .damping = proxy_damping(material.damping)};
   try {
-    return std::make_shared<proxies::Lattice>(
-        std::move(tetrahedra),
-        proxies::Material{
-            .young = material.young, .density = material.density, .damping = proxy_damping(material.damping)},
-        pinned, std::move(own));
+    if (springs == Springs::fitted) {
+      own.edges = fitted_edges(proxy, mesh, proxies::Lattice(tetrahedra, of_springs, pinned));
+    }
+    return std::make_shared<proxies::Lattice>(std::move(tetrahedra), of_springs, pinned, std::move(own));
   } catch (const std::invalid_argument& error) {
     throw deck::DeckError(meshed.mesh_where, fmt::format("body '{}': {}", meshed.name, error.what()));
   }
 }
 
 /// Null, with a warning, where a mesh of so large elements can't be made: the body has finer ones.
-std::shared_ptr<const proxies::Lattice> coarser_lattice(const scene::Body& meshed, const scene::Material& material,
-                                                        int level) {
+std::shared_ptr<const proxies::Lattice> coarser_lattice(const MeshedProxy& proxy, Springs springs, int level) {
   try {
-    return lattice_of(meshed, material);
+    return lattice_of(proxy, springs);
   } catch (const std::exception& error) {
     spdlog::warn(
         "body {} does without its mesh {} of elements of {:.3g} m, which can't be used; give fewer --levels "
         "or a smaller size. The reason: {}",
-        meshed.name, level, meshed.parameters.at("size"), error.what());
+        proxy.meshed.name, level, proxy.meshed.parameters.at("size"), error.what());
     return nullptr;
   }
 }
@@ -141,18 +187,18 @@ std::shared_ptr<const proxies::Lattice> coarser_lattice(const scene::Body& meshe
 }  // namespace
 
 std::vector<std::shared_ptr<const proxies::Lattice>> proxy_levels(const scene::Solids& solids, std::size_t body,
-                                                                  int levels) {
+                                                                  int levels, Springs springs) {
   scene::refuse_joints(solids, "proxies");
   scene::Body meshed = solids.bodies[body];
   check_proxy_body(meshed, levels);
   meshed.element = element::tet4;
   meshed.modal.reset();
   meshed.mass_scaling.reset();
-  const scene::Material& material = solids.materials[meshed.material];
-  std::vector<std::shared_ptr<const proxies::Lattice>> lattices = {lattice_of(meshed, material)};
+  const MeshedProxy proxy{solids, body, meshed};
+  std::vector<std::shared_ptr<const proxies::Lattice>> lattices = {lattice_of(proxy, springs)};
   for (int level = 1; level < levels; ++level) {
     meshed.parameters["size"] *= 2.0;
-    if (auto coarser = coarser_lattice(meshed, material, level)) {
+    if (auto coarser = coarser_lattice(proxy, springs, level)) {
       lattices.push_back(std::move(coarser));
     }
   }

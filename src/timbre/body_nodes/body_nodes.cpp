@@ -86,7 +86,7 @@ ProxyBody read_proxy_body(const std::filesystem::path& deck, const std::string& 
   if (scene.listeners.empty()) {
     throw std::runtime_error(deck.string() + " has no listener");
   }
-  const auto lattice = proxy_bodies::proxy_levels(scene, body, 1).front();
+  const auto lattice = proxy_bodies::proxy_levels(scene, body, 1, proxy_bodies::Springs::van_gelder).front();
   const scene::Listener& listener = scene.listeners.front();
   const Vector3 ear = listener.place(listener.receivers.front(), 0.0).position;
   return {lattice, ear - lattice->body_inertia().centre, scene.radiation.air.density};

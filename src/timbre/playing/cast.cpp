@@ -90,10 +90,10 @@ void require_maps(const Cast& cast, std::span<const score::BodyContact> contacts
   }
 }
 
-std::vector<ProxyLevels> levels_of_all(const scene::Scene& deck, int levels) {
+std::vector<ProxyLevels> levels_of_all(const scene::Scene& deck, int levels, proxy_bodies::Springs springs) {
   std::vector<ProxyLevels> all;
   for (std::size_t body = 0; body < deck.bodies.size(); ++body) {
-    all.push_back(proxy_bodies::proxy_levels(deck, body, levels));
+    all.push_back(proxy_bodies::proxy_levels(deck, body, levels, springs));
     for (std::size_t level = 0; level < all.back().size(); ++level) {
       const proxies::Lattice& lattice = *all.back()[level];
       spdlog::info("{}, level {}: {} masses, {} springs, {} tetrahedra", deck.bodies[body].name, level,
@@ -139,7 +139,7 @@ StagedCast staged(Cast cast, const PlaySettings& settings, const score::Score& s
   staged.origin = origin_of(cast, settings);
   std::vector<std::vector<ProxyLevels>> levels;
   for (const scene::Scene& deck : cast.decks) {
-    levels.push_back(levels_of_all(deck, settings.proxies.levels));
+    levels.push_back(levels_of_all(deck, settings.proxies.levels, settings.proxies.springs));
   }
   check_listener(cast, levels, score);
   require_maps(cast, score.contacts);

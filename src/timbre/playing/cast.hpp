@@ -42,7 +42,8 @@ void require_maps(const Cast& cast, std::span<const score::BodyContact> contacts
 [[nodiscard]] voices::Audience audience_of(const Cast& cast, const score::Score& score, int rate);
 
 /// The levels of all bodies of a deck, with their sizes in the log.
-[[nodiscard]] std::vector<ProxyLevels> levels_of_all(const scene::Scene& deck, int levels);
+[[nodiscard]] std::vector<ProxyLevels> levels_of_all(const scene::Scene& deck, int levels,
+                                                     proxy_bodies::Springs springs);
 
 /// A stage with the whole cast.
 struct StagedCast {

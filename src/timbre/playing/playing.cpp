@@ -207,7 +207,7 @@ DrivenProxies driven_proxies(const PlaySettings& settings) {
   driven.score = score_of(settings, cast);
   require_maps(cast, driven.score.contacts);
   driven.scene = std::move(cast.decks.front());
-  driven.levels = levels_of_all(driven.scene, 1);
+  driven.levels = levels_of_all(driven.scene, 1, settings.proxies.springs);
   std::vector<drivers::StruckBody> bodies;
   for (std::size_t body = 0; body < driven.scene.bodies.size(); ++body) {
     bodies.push_back(

@@ -2,6 +2,7 @@
 // A body as a lattice: point masses at the nodes of a tetrahedral mesh, springs along its edges (O'Morain 2005,
 // sections 6.2 to 6.4). Proxies of several equal bodies share one lattice.
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -28,6 +29,9 @@ struct Material {
   Damping damping;
 };
 
+/// Of a tetrahedron: a factor for each of its edges. These join the corners 01, 02, 03, 12, 13 and 23.
+using EdgeFactors = std::array<double, 6>;
+
 /// A single spring that differs from the others: factors of what it has otherwise.
 struct OwnSpring {
   Index a = 0, b = 0;      ///< its masses, in any order
@@ -39,10 +43,11 @@ struct OwnSpring {
 /// Parts of a body that differ from its material: each spring has what the tetrahedra around it have, times values of
 /// its own, and each mass can have a value of its own (O'Morain 2005, section 6.3).
 struct OwnValues {
-  std::vector<double> stiffness;  ///< [tetrahedra] times Young's modulus of the material, above 0; empty: 1
-  std::vector<double> damping;    ///< [tetrahedra] times its stiffness damping, not negative; empty: 1
-  std::vector<double> length;     ///< [tetrahedra] natural length over the length in the mesh, above 0; empty: 1
-  std::vector<double> masses;     ///< [nodes] kg, above 0; empty: those of the material's density
+  std::vector<double> stiffness;   ///< [tetrahedra] times Young's modulus of the material, above 0; empty: 1
+  std::vector<double> damping;     ///< [tetrahedra] times its stiffness damping, not negative; empty: 1
+  std::vector<double> length;      ///< [tetrahedra] natural length over the length in the mesh, above 0; empty: 1
+  std::vector<EdgeFactors> edges;  ///< [tetrahedra] times the stiffness along its edges, above 0; empty: 1
+  std::vector<double> masses;      ///< [nodes] kg, above 0; empty: those of the material's density
   std::vector<OwnSpring> springs;
 };
 
@@ -105,6 +110,9 @@ class Lattice {
   [[nodiscard]] const Material& material() const { return material_; }
   /// Of a tetrahedron, as OwnValues.
   [[nodiscard]] double own_stiffness(std::size_t t) const { return own_.stiffness.empty() ? 1.0 : own_.stiffness[t]; }
+  [[nodiscard]] EdgeFactors own_edges(std::size_t t) const {
+    return own_.edges.empty() ? EdgeFactors{1.0, 1.0, 1.0, 1.0, 1.0, 1.0} : own_.edges[t];
+  }
   [[nodiscard]] double own_damping(std::size_t t) const { return own_.damping.empty() ? 1.0 : own_.damping[t]; }
   [[nodiscard]] const std::vector<bool>& pinned() const { return pinned_; }  ///< [nodes]
   [[nodiscard]] bool is_free() const { return is_free_; }                    ///< nothing is pinned

@@ -9,6 +9,7 @@
 
 #include "idiophone/instruments/drivers/body_track.hpp"
 #include "idiophone/instruments/proxies/engine.hpp"
+#include "idiophone/instruments/proxy_bodies/proxy_bodies.hpp"
 #include "idiophone/instruments/score/score.hpp"
 #include "idiophone/instruments/voices/shared_budget.hpp"
 #include "idiophone/instruments/voices/voice.hpp"
@@ -18,6 +19,7 @@ namespace idiophone::timbre {
 
 /// How bodies of decks become proxies.
 struct ProxySettings {
+  proxy_bodies::Springs springs = proxy_bodies::Springs::van_gelder;
   int levels = 1;                          ///< meshes of each body, each with elements twice as large as before
   std::optional<double> budget;            ///< processor time per time of sound, of sound maps and proxies together
   double speed = voices::usual_speed;      ///< springs that one core computes in a second, for the budget
