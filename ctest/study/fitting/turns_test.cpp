@@ -68,7 +68,9 @@ scene::Material tenth_off(const scene::Material& material) {
 
 /// The lowest lines as if measured: each is moved by up to a cent, to and fro.
 Measurements lines_of_turned(StrainedBody body, const TurnedMaterial& material, Eigen::Index count, double cents = 1) {
-  const Eigen::VectorXd frequencies = body.lowest(material, static_cast<int>(count)).frequencies(material).head(count);
+  constexpr int pairs = 5;  // at most, of modes that are one line
+  const Eigen::VectorXd frequencies =
+      body.lowest(material, static_cast<int>(count) + pairs).frequencies(material).head(count);
   Measurements measured;
   for (Eigen::Index m = 0; m < count; ++m) {
     const double moved = cents * std::sin(1.7 * static_cast<double>(m * m));
