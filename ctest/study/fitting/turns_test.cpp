@@ -189,12 +189,6 @@ TEST(Turns, OfACubicCrystalAboutThreeAxes) {
   }
 }
 
-TEST(Turns, OfWoodAboutThreeAxes) {
-  LONG_VERIFICATION();
-  const Vector3 turns{15, 10, 20};
-  expect_turns(identify_turned(turned_block_of(spruce()), turned(spruce(), turns), 40, {"constants", "turns"}), turns);
-}
-
 // A turn about the fibres cannot be heard.
 TEST(Turns, OfFibres) {
   LONG_VERIFICATION();
