@@ -68,7 +68,9 @@ scene::Material tenth_off(const scene::Material& material) {
 
 /// The lowest lines as if measured: each is moved by up to a cent, to and fro.
 Measurements lines_of_turned(StrainedBody body, const TurnedMaterial& material, Eigen::Index count, double cents = 1) {
-  const Eigen::VectorXd frequencies = body.lowest(material, static_cast<int>(count)).frequencies(material).head(count);
+  constexpr int pairs = 5;  // at most, of modes that are one line
+  const Eigen::VectorXd frequencies =
+      body.lowest(material, static_cast<int>(count) + pairs).frequencies(material).head(count);
   Measurements measured;
   for (Eigen::Index m = 0; m < count; ++m) {
     const double moved = cents * std::sin(1.7 * static_cast<double>(m * m));
@@ -185,12 +187,6 @@ TEST(Turns, OfACubicCrystalAboutThreeAxes) {
   for (const Vector3& turns : {Vector3(5, -8, 12), Vector3(20, 5, -15)}) {
     expect_turns(identify_turned(turned_block_of(silicon), turned(silicon, turns), 25, {"constants", "turns"}), turns);
   }
-}
-
-TEST(Turns, OfWoodAboutThreeAxes) {
-  LONG_VERIFICATION();
-  const Vector3 turns{15, 10, 20};
-  expect_turns(identify_turned(turned_block_of(spruce()), turned(spruce(), turns), 40, {"constants", "turns"}), turns);
 }
 
 // A turn about the fibres cannot be heard.

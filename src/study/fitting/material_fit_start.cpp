@@ -32,7 +32,14 @@ void MaterialFit::begin() {
   starts.resize(std::min(starts.size(), has_turns() ? most_tried : 1));
   double least = std::numeric_limits<double>::infinity();
   for (Start& start : starts) {
-    approach(lowest, body, start, least);
+    try {
+      approach(lowest, body, start, least);
+    } catch (const std::runtime_error&) {  // all that find_modes() throws, if a fit has led to a hardly stable material
+      if (starts.size() == 1) {
+        throw;
+      }
+      start.cost = std::numeric_limits<double>::infinity();
+    }
     least = std::min(least, start.cost);
   }
   keep(*std::ranges::min_element(starts, {}, &Start::cost));
