@@ -97,7 +97,7 @@ Eigen::MatrixXd ModalResponse::deformed(const Eigen::MatrixXd& vectors) const {
 
 Eigen::MatrixXd ModalResponse::rigid_motions() const {
   if (!lattice_.is_free()) {
-    return Eigen::MatrixXd(masses_.unknowns(), 0);
+    return Eigen::MatrixXd::Zero(masses_.unknowns(), 0);
   }
   const double length = std::sqrt(lattice_.inertia().second.trace() / lattice_.inertia().mass);
   Eigen::MatrixXd motions(masses_.unknowns(), 6);
