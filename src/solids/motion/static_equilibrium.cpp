@@ -7,14 +7,13 @@
 #include <array>
 #include <functional>
 #include <limits>
-#include <numeric>
 #include <optional>
 #include <span>
 #include <string>
 
+#include "force_balance.hpp"
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/parallel/petsc.hpp"
-#include "idiophone/solids/motion/assembly.hpp"
 #include "idiophone/solids/motion/prestress_balance.hpp"
 
 namespace idiophone::motion {
@@ -23,142 +22,13 @@ using parallel::petsc;
 
 namespace {
 
-/// One body's balance of forces: unknowns are its nodes' displacements, [3 x nodes of the body].
-class Equilibrium {
- public:
-  /// @param is_plucked  whether its plucks and gravity load it
-  Equilibrium(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments,
-              const FiniteElementDynamics& dynamics, std::size_t body, bool is_plucked)
-      : part_(part),
-        body_(part.bodies[body]),
-        material_(solids.materials[solids.bodies[body].material]),
-        solid_(dynamics.solid(body)),
-        support_(part.node_ids.size()),
-        load_(3 * size_of(body_)),
-        state_(part.node_ids.size()),
-        force_(part.node_ids.size()) {
-    components_.end = static_cast<PetscInt>(load_.size());
-    components_.number.assign(3 * part.node_ids.size(), -1);
-    const auto own = std::span(components_.number).subspan(3UL * body_.owned_begin, load_.size());
-    std::iota(own.begin(), own.end(), 0);
-    dynamics.loads().add_support_stiffness(support_);
-    if (is_plucked) {
-      add_gravity(dynamics.model(body).masses(), solids.gravity);
-      for (std::size_t p = 0; p < solids.plucks.size(); ++p) {
-        if (solids.plucks[p].body == body) {
-          add_pluck(attachments.plucks[p], solids.plucks[p].force);
-        }
-      }
-    }
-    dynamics.constraints().place(0.0, state_);
-    for (const Index component : dynamics.constraints().held_components()) {
-      if (component >= 3 * body_.owned_begin && component < 3 * body_.owned_end) {
-        held_.push_back(component - 3 * body_.owned_begin);
-      }
-    }
-  }
-
-  [[nodiscard]] std::size_t size() const { return load_.size(); }
-  [[nodiscard]] bool is_held() const {
-    return held_.size() >= 6 || std::ranges::any_of(support_, [](double stiffness) { return stiffness > 0; });
-  }
-  /// Euclidean norm of all nodes' loads, N.
-  [[nodiscard]] double load_norm() const {
-    return Eigen::Map<const Eigen::VectorXd>(load_.data(), std::ssize(load_)).norm();
-  }
-  /// Of the loads, and of the ways of the constraints.
-  void set_fraction(double fraction) { fraction_ = fraction; }
-
-  /// Unbalanced force, N; for a held component, how far it is from its place, times a stiffness.
-  void residual(std::span<const double> u, std::span<double> unbalanced) {
-    const std::vector<NodeState> places = state_;
-    set_displacements(u);
-    std::ranges::fill(force_, NodeForce{});
-    solid_.add_internal_force(state_, force_);
-    for (std::size_t c = 0; c < size(); ++c) {
-      const std::size_t node = body_.owned_begin + c / 3;
-      unbalanced[c] = support_[node] * u[c] - force_[node].component[c % 3] - fraction_ * load_[c];
-    }
-    state_ = places;
-    for (const Index c : held_) {
-      const Index node = body_.owned_begin + c / 3;
-      unbalanced[c] = stiffness_scale() * (u[c] - fraction_ * state_[node].displacement[c % 3]);
-    }
-  }
-
-  /// Tangent stiffness at displacements u.
-  void jacobian(std::span<const double> u, Mat matrix) {
-    petsc(MatZeroEntries(matrix));
-    const std::vector<NodeState> places = state_;
-    set_displacements(u);
-    add_tangent_stiffness(part_, body_, solid_, &solid::Solid::relaxed_elasticity, state_, components_, matrix);
-    state_ = places;
-    for (std::size_t c = 0; c < size(); ++c) {
-      const double stiffness = support_[body_.owned_begin + c / 3];
-      petsc(MatSetValue(matrix, static_cast<PetscInt>(c), static_cast<PetscInt>(c), stiffness, ADD_VALUES));
-    }
-    petsc(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
-    petsc(MatAssemblyEnd(matrix, MAT_FINAL_ASSEMBLY));
-    petsc(MatZeroRows(matrix, static_cast<PetscInt>(held_.size()), held_.data(), stiffness_scale(), nullptr, nullptr));
-  }
-
-  /// An empty tangent stiffness.
-  [[nodiscard]] parallel::Handle<Mat> create_tangent() const {
-    parallel::Handle<Mat> tangent = create_matrix(std::span(&body_, 1), components_, PETSC_COMM_SELF);
-    petsc(MatSetOption(tangent, MAT_KEEP_NONZERO_PATTERN, PETSC_TRUE));
-    return tangent;
-  }
-
- private:
-  static std::size_t size_of(const mesh::BodyPart& body) { return body.owned_end - body.owned_begin; }
-
-  void add_gravity(std::span<const double> masses, const Vector3& gravity) {
-    for (std::size_t c = 0; c < load_.size(); ++c) {
-      load_[c] += masses[c / 3] * gravity[static_cast<Eigen::Index>(c % 3)];
-    }
-  }
-
-  void add_pluck(const mesh::Patch& patch, const Vector3& force) {
-    for (std::size_t n = 0; n < patch.nodes.size(); ++n) {
-      for (int i = 0; i < 3; ++i) {
-        const Index component = 3 * (patch.nodes[n] - body_.owned_begin) + i;
-        load_[component] += patch.shares[n] * force[i];
-      }
-    }
-  }
-
-  void set_displacements(std::span<const double> u) {
-    for (std::size_t c = 0; c < size(); ++c) {
-      state_[body_.owned_begin + c / 3].displacement[c % 3] = u[c];
-    }
-  }
-
-  /// About the size of the stiffness matrix's diagonal, N/m.
-  [[nodiscard]] double stiffness_scale() const {
-    const auto& first = std::span(body_.elements);
-    return material_.young * (part_.reference[first[0]] - part_.reference[first[1]]).norm();
-  }
-
-  const mesh::Part& part_;
-  const mesh::BodyPart& body_;
-  const scene::Material& material_;
-  const solid::Solid& solid_;
-  std::vector<double> support_;  ///< N/m, [nodes]
-  std::vector<double> load_;     ///< N, [3 x nodes of the body]
-  double fraction_ = 1.0;
-  std::vector<NodeState> state_;  ///< constraints' places, [nodes]
-  std::vector<NodeForce> force_;
-  Components components_;
-  std::vector<Index> held_;  ///< components held, [3 node of the body + axis]
-};
-
 PetscErrorCode form_residual(SNES /*solver*/, Vec displacement, Vec unbalanced, void* context) {
   PetscFunctionBegin;
   const PetscScalar* u = nullptr;
   PetscScalar* r = nullptr;
   PetscCall(VecGetArrayRead(displacement, &u));
   PetscCall(VecGetArrayWrite(unbalanced, &r));
-  auto* problem = static_cast<Equilibrium*>(context);
+  auto* problem = static_cast<ForceBalance*>(context);
   problem->residual({u, problem->size()}, {r, problem->size()});
   PetscCall(VecRestoreArrayWrite(unbalanced, &r));
   PetscCall(VecRestoreArrayRead(displacement, &u));
@@ -169,7 +39,7 @@ PetscErrorCode form_jacobian(SNES /*solver*/, Vec displacement, Mat matrix, Mat 
   PetscFunctionBegin;
   const PetscScalar* u = nullptr;
   PetscCall(VecGetArrayRead(displacement, &u));
-  auto* problem = static_cast<Equilibrium*>(context);
+  auto* problem = static_cast<ForceBalance*>(context);
   problem->jacobian({u, problem->size()}, matrix);
   PetscCall(VecRestoreArrayRead(displacement, &u));
   PetscFunctionReturn(0);
@@ -178,7 +48,7 @@ PetscErrorCode form_jacobian(SNES /*solver*/, Vec displacement, Mat matrix, Mat 
 /// Newton's method with MUMPS's factors, on this rank alone.
 class NewtonSolver {
  public:
-  explicit NewtonSolver(Equilibrium& problem) : problem_(problem) {
+  explicit NewtonSolver(ForceBalance& problem) : problem_(problem) {
     const auto size = static_cast<PetscInt>(problem.size());
     petsc(VecCreateSeq(PETSC_COMM_SELF, size, displacement_.out()));
     petsc(VecDuplicate(displacement_, unbalanced_.out()));
@@ -227,16 +97,12 @@ class NewtonSolver {
   }
 
  private:
-  Equilibrium& problem_;
+  ForceBalance& problem_;
   parallel::Handle<Vec> displacement_;
   parallel::Handle<Vec> unbalanced_;
   parallel::Handle<Mat> tangent_;
   parallel::Handle<SNES> solver_;
 };
-
-}  // namespace
-
-namespace {
 
 /// Why and where a body has an equilibrium of its own, for messages.
 struct Cause {
@@ -268,7 +134,7 @@ void refuse_joints(const scene::Solids& solids, std::size_t body) {
 }
 
 /// Displacements of the body's nodes. @throws deck::DeckError, as static_equilibrium()
-std::vector<double> solve(Equilibrium problem, const std::string& body, const Cause& cause) {
+std::vector<double> solve(ForceBalance problem, const std::string& body, const Cause& cause) {
   if (!problem.is_held()) {
     throw deck::DeckError(cause.where, fmt::format("body '{}' has no rest under {}: nothing holds it; give it fixed "
                                                    "groups or supports",

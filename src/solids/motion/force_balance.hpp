@@ -1,0 +1,58 @@
+#pragma once
+// The balance of forces on one body at rest: elastic forces, supports, gravity and plucks.
+
+#include <petscmat.h>
+
+#include <span>
+#include <vector>
+
+#include "idiophone/foundation/parallel/petsc.hpp"
+#include "idiophone/solids/motion/assembly.hpp"
+#include "idiophone/solids/motion/dynamics.hpp"
+
+namespace idiophone::motion {
+
+/// Unknowns are the displacements of the body's nodes, [3 x nodes of the body] m.
+class ForceBalance {
+ public:
+  /// @param part       the whole mesh as one part; it and the dynamics must outlive this object
+  /// @param is_loaded  whether plucks and gravity act on the body
+  ForceBalance(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments,
+               const FiniteElementDynamics& dynamics, std::size_t body, bool is_loaded);
+
+  [[nodiscard]] std::size_t size() const { return load_.size(); }
+  [[nodiscard]] bool is_held() const;                           ///< by groups or supports
+  [[nodiscard]] double load_norm() const;                       ///< Euclidean norm of all nodes' loads, N
+  void set_fraction(double fraction) { fraction_ = fraction; }  ///< of the loads, and of the ways of the constraints
+
+  /// Unbalanced force, N; for a held component, how far it is from its place, times a stiffness.
+  void residual(std::span<const double> u, std::span<double> unbalanced);
+
+  /// Tangent stiffness at displacements u.
+  /// @param matrix  by create_tangent()
+  void jacobian(std::span<const double> u, Mat matrix);
+
+  /// An empty tangent stiffness.
+  [[nodiscard]] parallel::Handle<Mat> create_tangent() const;
+
+ private:
+  void add_gravity(std::span<const double> masses, const Vector3& gravity);
+  void add_pluck(const mesh::Patch& patch, const Vector3& force);
+  void set_displacements(std::span<const double> u);
+  /// About the size of the stiffness matrix's diagonal, N/m.
+  [[nodiscard]] double stiffness_scale() const;
+
+  const mesh::Part& part_;
+  const mesh::BodyPart& body_;
+  const scene::Material& material_;
+  const solid::Solid& solid_;
+  std::vector<double> support_;  ///< N/m, [nodes]
+  std::vector<double> load_;     ///< N, [3 x nodes of the body]
+  double fraction_ = 1.0;
+  std::vector<NodeState> state_;  ///< constraints' places, [nodes]
+  std::vector<NodeForce> force_;
+  Components components_;
+  std::vector<Index> held_;  ///< components held, [3 node of the body + axis]
+};
+
+}  // namespace idiophone::motion
