@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <stdexcept>
 #include <string>
 
@@ -25,15 +26,14 @@ namespace {
 /// The free components of an equilibrium, and one step of Newton's method.
 class Newton {
  public:
-  Newton(const mesh::Part& part, const motion::FiniteElementDynamics& dynamics, const motion::Components& components,
-         MPI_Comm communicator)
+  Newton(const mesh::Part& part, const solid::Solid& solid, std::span<const double> support,
+         const motion::Components& components, MPI_Comm communicator)
       : part_(part),
-        dynamics_(dynamics),
+        solid_(solid),
+        support_(support),
         components_(components),
         communicator_(communicator),
-        support_(part.owned_nodes),
         tangent_(motion::create_matrix(part.bodies, components, communicator)) {
-    dynamics.loads().add_support_stiffness(support_);
     petsc(MatCreateVecs(tangent_, change_.out(), unbalanced_.out()));
     petsc(KSPCreate(communicator, solver_.out()));
     petsc(KSPSetType(solver_, KSPPREONLY));
@@ -48,10 +48,8 @@ class Newton {
   double improve(std::vector<NodeState>& state) {
     find_unbalanced(state);
     petsc(MatZeroEntries(tangent_));
-    for (std::size_t b = 0; b < part_.bodies.size(); ++b) {
-      motion::add_tangent_stiffness(part_, part_.bodies[b], dynamics_.solid(b), &solid::Solid::relaxed_elasticity,
-                                    state, components_, tangent_);
-    }
+    motion::add_tangent_stiffness(part_, part_.bodies.front(), solid_, &solid::Solid::relaxed_elasticity, state,
+                                  components_, tangent_);
     for (std::size_t c = 0; c < 3 * support_.size(); ++c) {
       petsc(MatSetValue(tangent_, components_.number[c], components_.number[c], support_[c / 3], ADD_VALUES));
     }
@@ -68,9 +66,7 @@ class Newton {
  private:
   void find_unbalanced(const std::vector<NodeState>& state) {
     std::vector<NodeForce> force(state.size());
-    for (std::size_t b = 0; b < part_.bodies.size(); ++b) {
-      dynamics_.solid(b).add_internal_force(state, force);
-    }
+    solid_.add_internal_force(state, force);
     PetscScalar* values = nullptr;
     petsc(VecGetArrayWrite(unbalanced_, &values));
     for (std::size_t c = 0; c < 3 * support_.size(); ++c) {
@@ -98,10 +94,10 @@ class Newton {
   }
 
   const mesh::Part& part_;
-  const motion::FiniteElementDynamics& dynamics_;
+  const solid::Solid& solid_;
+  std::span<const double> support_;  ///< N/m, [owned nodes]
   const motion::Components& components_;
   MPI_Comm communicator_;
-  std::vector<double> support_;  ///< N/m, [owned nodes]
   parallel::Handle<Mat> tangent_;
   parallel::Handle<Vec> change_;      ///< m
   parallel::Handle<Vec> unbalanced_;  ///< N
@@ -112,27 +108,25 @@ class Newton {
 
 std::vector<NodeState> rest_under_prestress(const scene::Solids& solids, const mesh::Part& part,
                                             const motion::FiniteElementDynamics& dynamics,
-                                            const motion::Components& components, MPI_Comm communicator) {
+                                            std::span<const double> support, const motion::Components& components,
+                                            MPI_Comm communicator) {
   if (solids.bodies.size() > 1) {
     throw std::runtime_error(
         "a prestress deforms one of the bodies that joints tie together, whose modes are not possible yet: leave out "
-        "the "
-        "joints");
+        "the joints");
   }
   std::vector<NodeState> state(part.node_ids.size());
   const scene::Body& body = solids.bodies.front();
   const auto refuse = [&](const std::string& why) {
     throw deck::DeckError(body.prestress->where, fmt::format("bodies.{}.prestress {}", body.name, why));
   };
-  std::vector<double> support(part.owned_nodes);
-  dynamics.loads().add_support_stiffness(support);
   const std::int64_t held = std::ssize(dynamics.constraints().held_components()) +
                             std::ranges::count_if(support, [](double stiffness) { return stiffness > 0; });
   if (parallel::sum(held, communicator) < 6) {
     refuse("deforms a body that nothing holds: give it fixed groups or supports");
   }
   dynamics.constraints().place(0.0, state);
-  Newton newton(part, dynamics, components, communicator);
+  Newton newton(part, dynamics.solid(0), support, components, communicator);
   constexpr int most_steps = 50;
   constexpr double balanced = 1e-10;  // of the forces at the beginning
   const double begin = newton.improve(state);
