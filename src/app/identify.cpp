@@ -74,7 +74,7 @@ std::string advice_on_lines(const Identification& found, const IdentifiedConstan
 
 /// What to measure for a constant that the lines do not determine.
 std::string advice(const Identification& found, const IdentifiedConstant& constant) {
-  const std::string of_lines = advice_on_lines(found, constant);
+  std::string of_lines = advice_on_lines(found, constant);
   if (found.looked_up_to == 0 || constant.would_be_determined) {
     return of_lines;
   }

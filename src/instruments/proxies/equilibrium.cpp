@@ -96,14 +96,15 @@ Eigen::VectorXd newton_step(const Energy& energy, const std::vector<Vector3>& no
 
 /// Of a step that is taken. Close to the minimum, energies differ by less than their rounding, but forces do not.
 double share_of(const Eigen::VectorXd& step, const Energy& energy, const std::vector<Vector3>& nodes, double force) {
-  constexpr double least_share = 1e-6;
+  constexpr int most_halvings = 20;
   const double before = energy.value(nodes);
   double share = 1.0;
-  for (; share > least_share; share *= 0.5) {
+  for (int halving = 0; halving < most_halvings; ++halving) {
     const std::vector<Vector3> next = energy.moved(nodes, share * step);
     if (energy.value(next) < before || energy.forces(next).norm() < 0.5 * force) {
       break;
     }
+    share *= 0.5;
   }
   return share;
 }

@@ -122,9 +122,8 @@ void Pieces::split_mass(Index mass, const Vector3& direction) {
   const Index other =
       add_node(Vector3(nodes_[mass]), Vector3(displacement_[mass]), Vector3(velocity_[mass]), pinned_[mass]);
   for (auto& tetrahedron : tetrahedra_) {
-    const auto corner = std::ranges::find(tetrahedron, mass);
-    if (corner != tetrahedron.end() && is_ahead(nodes_, tetrahedron, mass, direction)) {
-      *corner = other;
+    if (std::ranges::count(tetrahedron, mass) > 0 && is_ahead(nodes_, tetrahedron, mass, direction)) {
+      std::ranges::replace(tetrahedron, mass, other);
     }
   }
 }
@@ -229,6 +228,7 @@ std::vector<Fragment> Pieces::fragments() const {
     parts[nodes.root_of(static_cast<std::size_t>(tetrahedra_[t][0]))].push_back(t);
   }
   std::vector<Fragment> fragments;
+  fragments.reserve(parts.size());
   for (const auto& [root, tetrahedra] : parts) {
     fragments.push_back(fragment_of(tetrahedra));
   }

@@ -7,7 +7,7 @@
 namespace idiophone::contact {
 
 Vector3 bend(const friction::Law& law, const Vector3& deflection, const Vector3& velocity, double load, double step) {
-  const Vector3 free = deflection + step * velocity;
+  Vector3 free = deflection + step * velocity;
   const double length = free.norm();
   if (length == 0) {
     return free;
