@@ -119,6 +119,27 @@ TEST_F(Materials, HaveALossFactorInABand) {
   EXPECT_EQ(some.stiffness, 1e-9);
 }
 
+TEST_F(Materials, HaveALossFactorOverTheFrequency) {
+  const std::string keys = "loss_factor: [[100, 0.01], [1000, 0.04], [4000, 0.02]]";
+  const LossFactor loss = *material("materials: {mine: {from: steel, damping: {" + keys + "}}}\n", "mine").damping.loss;
+  EXPECT_EQ(loss.value, 0.04);
+  EXPECT_EQ(loss.band, (std::array{100.0, 4000.0}));
+  EXPECT_EQ(loss.at(1000), 0.04);
+  EXPECT_NEAR(loss.at(std::sqrt(1e5)), 0.02, 1e-15);
+  EXPECT_EQ(loss.at(50), 0.01);
+  EXPECT_EQ(loss.at(5000), 0.02);
+}
+
+TEST_F(Materials, HaveLossFactorsByDirection) {
+  const std::string keys = "loss_factor: {young: [0.005, 0.02, 0.03], shear: [0.016, 0.04, 0.01]}, band: [50, 5000]";
+  const LossFactor loss =
+      *material("materials: {mine: {from: spruce, damping: {" + keys + "}}}\n", "mine").damping.loss;
+  EXPECT_EQ(loss.value, 0.04);
+  EXPECT_EQ(loss.directions->young, Vector3(0.005, 0.02, 0.03));
+  EXPECT_EQ(loss.directions->shear, Vector3(0.016, 0.04, 0.01));
+  EXPECT_EQ(loss.band, (std::array{50.0, 5000.0}));
+}
+
 TEST_F(Materials, MistakesInALossFactorAreAnswered) {
   const auto answer = [&](const std::string& keys) {
     return mistakes(deck("materials:\n  mine: {from: steel, damping: {" + keys + "}}\n", "mine"));
@@ -140,6 +161,21 @@ TEST_F(Materials, MistakesInALossFactorAreAnswered) {
       "deck.yaml:4:59: materials.mine.damping.loss_factor: can't be 'table' without a shipped material; name one with "
       "the "
       "key from");
+  EXPECT_EQ(
+      answer("loss_factor: [[100, 0.01]]"),
+      "deck.yaml:4:46: materials.mine.damping.loss_factor: give at least two points [frequency, loss factor], or a "
+      "number");
+  EXPECT_EQ(answer("loss_factor: [[100, 0.01], [50, 0.02]]"),
+            "deck.yaml:4:46: materials.mine.damping.loss_factor: the frequencies of the points must ascend");
+  EXPECT_EQ(answer("loss_factor: [[100, 0.01], 0.02]"),
+            "deck.yaml:4:60: materials.mine.damping.loss_factor.1: expected [frequency, loss factor], found '0.02'");
+  EXPECT_EQ(
+      answer("loss_factor: [[100, 0.01], [500, 0.02]], band: [100, 500]"),
+      "deck.yaml:4:74: materials.mine.damping.band: has no meaning with a loss_factor over the frequency: its band "
+      "is that of the points");
+  EXPECT_EQ(answer("loss_factor: {young: [0.1, 0.1, 0.1], shear: [0.1, 0.1, 0.1]}"),
+            "deck.yaml:4:32: materials.mine.damping: loss_factor by direction needs a material with young, poisson and "
+            "shear by direction");
   EXPECT_EQ(answer("band: [20, 200], mechanisms: 3"),
             "deck.yaml:4:33: materials.mine.damping.band: has no meaning without a loss_factor\n"
             "deck.yaml:4:50: materials.mine.damping.mechanisms: has no meaning without a loss_factor");

@@ -11,6 +11,25 @@ namespace idiophone::app {
 
 namespace {
 
+std::string list(const Vector3& values, int digits) {
+  return fmt::format("[{0:.{3}g}, {1:.{3}g}, {2:.{3}g}]", values[0], values[1], values[2], digits);
+}
+
+/// The keys of a loss factor; a curve has its band by itself.
+std::string loss_text(const scene::LossFactor& loss) {
+  if (!loss.curve.empty()) {
+    std::vector<std::string> points;
+    for (const auto& [frequency, value] : loss.curve) {
+      points.push_back(fmt::format("[{:.4g}, {:.4g}]", frequency, value));
+    }
+    return fmt::format("loss_factor: [{}]", fmt::join(points, ", "));
+  }
+  const std::string value = loss.directions ? fmt::format("{{young: {}, shear: {}}}", list(loss.directions->young, 4),
+                                                          list(loss.directions->shear, 4))
+                                            : fmt::format("{:.4g}", loss.value);
+  return fmt::format("loss_factor: {}, band: [{:.4g}, {:.4g}]", value, loss.band[0], loss.band[1]);
+}
+
 std::string damping_text(const scene::Damping& damping) {
   std::vector<std::string> entries;
   if (damping.mass > 0) {
@@ -20,8 +39,7 @@ std::string damping_text(const scene::Damping& damping) {
     entries.push_back(fmt::format("stiffness: {:.4g}", damping.stiffness));
   }
   if (damping.loss) {
-    const auto& [lowest, highest] = damping.loss->band;
-    entries.push_back(fmt::format("loss_factor: {:.4g}, band: [{:.4g}, {:.4g}]", damping.loss->value, lowest, highest));
+    entries.push_back(loss_text(*damping.loss));
   }
   return fmt::format("{{{}}}", fmt::join(entries, ", "));
 }
@@ -41,12 +59,9 @@ std::string stiffness_text(const scene::Crystal& crystal) {
 
 std::string materials_section(const scene::Material& material) {
   std::string text = fmt::format("materials:\n  {}:\n", material.name);
-  const auto list = [](const Vector3& values) {
-    return fmt::format("[{:.6g}, {:.6g}, {:.6g}]", values[0], values[1], values[2]);
-  };
   if (const auto& constants = material.orthotropy) {
-    text += fmt::format("    young: {}\n    poisson: {}\n    shear: {}\n", list(constants->young),
-                        list(constants->poisson), list(constants->shear));
+    text += fmt::format("    young: {}\n    poisson: {}\n    shear: {}\n", list(constants->young, 6),
+                        list(constants->poisson, 6), list(constants->shear, 6));
   } else if (material.crystal) {
     text += fmt::format("    stiffness: {}\n", stiffness_text(*material.crystal));
   } else {

@@ -3,11 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <complex>
 #include <numbers>
 
 #include "idiophone/solids/motion/stable_step.hpp"
+#include "idiophone/solids/solid/directional_loss.hpp"
 #include "idiophone/solids/solid/relaxation.hpp"
 #include "laboratory.hpp"
 #include "mesh_modes.hpp"
@@ -107,6 +109,48 @@ TEST_F(LossFactorTest, IsThatOfModesOverMoreThanADecadeAndLeavesTheirPitches) {
     const double expected = w * std::sqrt(modulus.real()) * (1 + std::pow(w * step(), 2) / 24);
     EXPECT_NEAR(tone.frequency / expected, 1.0, 2e-3) << "mode " << mode;
   }
+}
+
+/// x^T K x of a shape with this elasticity.
+double stiffness_term(const Laboratory& lab, const solid::Elasticity& elasticity, const Eigen::VectorXd& shape) {
+  const FiniteElementDynamics dynamics(lab.scene, lab.part, lab.attachments);
+  std::vector<solid::NodeState> state(lab.mesh.nodes.size());
+  std::vector<solid::NodeForce> force(state.size());
+  for (Eigen::Index c = 0; c < shape.size(); ++c) {
+    state[static_cast<std::size_t>(c / 3)].velocity[c % 3] = shape[c];
+  }
+  dynamics.solid(0).add_linear_stiffness_force(0, elasticity, state, force);
+  double sum = 0.0;
+  for (Eigen::Index c = 0; c < shape.size(); ++c) {
+    sum -= shape[c] * force[static_cast<std::size_t>(c / 3)].component[c % 3];
+  }
+  return sum;
+}
+
+TEST_F(LossFactorTest, ByDirectionIsThatOfTheModuliThatAModeStrains) {
+  scene::Material& wood = lab.scene.materials[0];
+  wood = {"wood", 11.9e9, 0.0, 450, {}, {}};
+  wood.orthotropy = {{11.9e9, 0.93e9, 0.51e9}, {0.372, 0.435, 0.467}, {0.76e9, 0.36e9, 0.73e9}};
+  free = modes(lab, FiniteElementDynamics(lab.scene, lab.part, lab.attachments).model(0).masses());
+  give_loss(6, 30);
+  wood.damping.loss->value = 0.02;
+  wood.damping.loss->directions = {{0.004, 0.01, 0.01}, {0.02, 0.015, 0.008}};
+  const solid::Relaxation relaxation = solid::fit_relaxation(*wood.damping.loss);
+  const solid::OrientedMaterial oriented{wood};
+  double least = 1.0;
+  double most = 0.0;
+  for (const Eigen::Index mode : {6, 7, 8, 12, 20}) {
+    const double w = free.frequencies[mode];
+    const Eigen::VectorXd shape = free.shapes.col(mode);
+    const double part = stiffness_term(lab, solid::relaxing_elasticity(oriented), shape) /
+                        stiffness_term(lab, solid::elasticity(wood), shape);
+    const auto modulus = relaxation.modulus(w);
+    const double expected = part * modulus.imag() / (1 + part * (modulus.real() - 1));
+    EXPECT_NEAR(ring(mode).loss_factor / expected, 1.0, 0.015) << "mode " << mode;
+    least = std::min(least, expected);
+    most = std::max(most, expected);
+  }
+  EXPECT_GT(most, 2 * least) << "the modes strain different moduli";
 }
 
 TEST_F(LossFactorTest, EnergyNeverGrows) {

@@ -1,23 +1,14 @@
 #pragma once
 // Materials of a deck: elastic constants, density and damping.
 
-#include <array>
 #include <optional>
 #include <string>
 
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/scene/anisotropy.hpp"
+#include "idiophone/scene/loss_factor.hpp"
 
 namespace idiophone::scene {
-
-/// Internal friction, constant over a band of frequencies: a mode of frequency f in the band loses the fraction
-/// 2 pi `value` of its energy per period; its amplitude decays as exp(-pi f value t).
-struct LossFactor {
-  double value = 0.0;                            ///< tan(phi), above 0
-  std::array<double, 2> band = {20.0, 20000.0};  ///< Hz, ascending
-  std::optional<int> mechanisms;                 ///< number of relaxation mechanisms; as few as possible if omitted
-  deck::Location where;
-};
 
 /// What mass-proportional damping slows: every motion, or the vibration and not the rigid motion.
 enum class DampedMotion { all, vibration };

@@ -51,13 +51,25 @@ void check_proxy_body(const scene::Body& body, int levels) {
   }
 }
 
+/// tan(phi) of the direction of the largest Young's modulus, which a proxy has in all directions.
+double stiffest_loss(const scene::Material& material, double frequency) {
+  const scene::LossFactor& loss = *material.damping.loss;
+  if (!loss.directions) {
+    return loss.at(frequency);
+  }
+  Eigen::Index stiffest = 0;
+  material.orthotropy->young.maxCoeff(&stiffest);
+  return loss.directions->young[stiffest];
+}
+
 /// Mass and stiffness damping; a loss factor is met exactly at two frequencies.
-proxies::Damping proxy_damping(const scene::Damping& damping) {
+proxies::Damping proxy_damping(const scene::Material& material) {
   constexpr double low = 200.0, high = 5000.0;  // Hz
+  const scene::Damping& damping = material.damping;
   proxies::Damping sum{.mass = damping.mass, .stiffness = damping.stiffness};
-  if (damping.loss) {
+  if (damping.loss && stiffest_loss(material, high) > 0) {
     const auto t60 = [&](double frequency) {
-      return std::log(1000.0) / (std::numbers::pi * frequency * damping.loss->value);
+      return std::log(1000.0) / (std::numbers::pi * frequency * stiffest_loss(material, frequency));
     };
     const proxies::Damping fitted = proxies::damping_for({low, high}, {t60(low), t60(high)});
     sum.mass += fitted.mass;
@@ -90,7 +102,8 @@ constexpr std::array<KnownView, 4> known_views = {{{"spring_stiffness", true, &p
 proxies::OwnValues own_values(const scene::Body& body, const std::vector<mesh::MeshValues>& views) {
   proxies::OwnValues own;
   for (const mesh::MeshValues& view : views) {
-    const auto known = std::ranges::find_if(known_views, [&](const KnownView& each) { return each.name == view.name; });
+    const auto* const known =
+        std::ranges::find_if(known_views, [&](const KnownView& each) { return each.name == view.name; });
     if (known == known_views.end()) {
       spdlog::warn("{}: its view '{}' has no meaning for proxies", body.mesh.string(), view.name);
       continue;
@@ -160,7 +173,7 @@ std::shared_ptr<const proxies::Lattice> lattice_of(const MeshedProxy& proxy, Spr
     own.springs = own_springs(*meshed.springs, tetrahedra);
   }
   const proxies::Material of_springs{
-      .young = material.young, .density = material.density, .damping = proxy_damping(material.damping)};
+      .young = material.young, .density = material.density, .damping = proxy_damping(material)};
   try {
     if (springs == Springs::fitted) {
       own.edges = fitted_edges(proxy, mesh, proxies::Lattice(tetrahedra, of_springs, pinned));

@@ -80,8 +80,11 @@ void report_materials(const Preparation& ready, std::size_t b) {
   }
   for (const scene::MaterialRegion& region : body.all_regions()) {
     if (const auto& loss = ready.scene.materials[region.material].damping.loss) {
-      spdlog::info("  loss factor {:.4g} from {:.6g} to {:.6g} Hz by {} mechanisms", loss->value, loss->band[0],
-                   loss->band[1], solid::fit_relaxation(*loss).mechanisms.size());
+      const solid::Relaxation relaxation = solid::fit_relaxation(*loss);
+      spdlog::info("  loss factor {}{:.4g} from {:.6g} to {:.6g} Hz by {} mechanisms{}",
+                   loss->curve.empty() && !loss->directions ? "" : "up to ", loss->value, loss->band[0], loss->band[1],
+                   relaxation.mechanisms.size(),
+                   loss->curve.empty() ? "" : fmt::format(", within {:.1f} %", 100 * relaxation.deviation));
     }
   }
 }

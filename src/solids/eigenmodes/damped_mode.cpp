@@ -89,9 +89,9 @@ void vibrate(Mode& mode, const Eigenpair& pair, double alpha, const Operators& o
     damping += joints.all()[joint].damping * of_joints[joint];
   }
   std::vector<MaterialStrain> materials;
-  for (const auto& [solid, region, share] :
+  for (const auto& [solid, region, share, relaxing] :
        shares_of_strain(operators.dynamics(), part, pair.vector, std::max(0.0, in_materials), communicator)) {
-    materials.push_back({share, solid->stiffness_damping(region), solid->relaxation(region)});
+    materials.push_back({share, relaxing, solid->stiffness_damping(region), solid->relaxation(region)});
   }
   const DampedVibration vibration = damped(pair.value, damping, materials);
   const double w = vibration.angular_frequency;

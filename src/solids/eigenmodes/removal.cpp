@@ -10,7 +10,7 @@
 #include "idiophone/foundation/element/reference.hpp"
 #include "idiophone/solids/mesh/face_shares.hpp"
 #include "idiophone/solids/mesh/faces.hpp"
-#include "idiophone/solids/solid/elasticity.hpp"
+#include "idiophone/solids/solid/directional_loss.hpp"
 #include "idiophone/solids/solid/oriented_material.hpp"
 #include "idiophone/solids/solid/relaxation.hpp"
 #include "nodal_strains.hpp"
@@ -94,7 +94,7 @@ double angular_frequency(const Mode& mode) {
 solid::StiffnessMatrix stiffness_at(const solid::OrientedMaterial& oriented, const Mode& mode) {
   const auto& loss = oriented.material.damping.loss;
   const double factor = loss ? solid::fit_relaxation(*loss).modulus(angular_frequency(mode)).real() : 1.0;
-  return solid::stiffness_matrix(solid::elasticity(oriented.material, oriented.axes, factor));
+  return solid::stiffness_matrix(solid::elasticity_at(oriented, factor));
 }
 
 /// Adds the faces of one region.

@@ -1,7 +1,6 @@
 #include "shares_of_strain.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "idiophone/foundation/parallel/reduce.hpp"
 #include "with_ghosts.hpp"
@@ -23,6 +22,36 @@ std::vector<NodeState> moving(const mesh::Part& part, std::span<const double> sh
   return state;
 }
 
+bool has_directional_loss(const StrainedRegion& strained) {
+  return strained.solid->has_directional_loss(strained.region);
+}
+
+/// x^T K x over the owned nodes, with this elasticity in a region.
+/// @param state  velocities x, ghosts included
+double stiffness_term(const StrainedRegion& strained, const solid::Elasticity& elasticity,
+                      const std::vector<NodeState>& state, std::span<const double> shape) {
+  std::vector<NodeForce> force(state.size());
+  strained.solid->add_linear_stiffness_force(strained.region, elasticity, state, force);
+  double sum = 0.0;
+  for (std::size_t c = 0; c < shape.size(); ++c) {
+    sum -= shape[c] * force[c / 3].component[c % 3];
+  }
+  return sum;
+}
+
+/// Sums over ranks.
+void add_up(std::vector<StrainedRegion>& regions, MPI_Comm communicator) {
+  std::vector<double> sums;
+  for (const StrainedRegion& strained : regions) {
+    sums.insert(sums.end(), {strained.share, strained.relaxing});
+  }
+  parallel::reduce(sums, MPI_SUM, communicator);
+  for (std::size_t r = 0; r < regions.size(); ++r) {
+    regions[r].share = sums[2 * r];
+    regions[r].relaxing = sums[2 * r + 1];
+  }
+}
+
 }  // namespace
 
 std::vector<StrainedRegion> shares_of_strain(const motion::FiniteElementDynamics& dynamics, const mesh::Part& part,
@@ -33,29 +62,31 @@ std::vector<StrainedRegion> shares_of_strain(const motion::FiniteElementDynamics
     const solid::Solid& solid = dynamics.solid(b);
     is_prestressed = is_prestressed || solid.is_prestressed();
     for (std::size_t region = 0; region < solid.region_count(); ++region) {
-      regions.push_back({&solid, region, 0.0});
+      regions.push_back({&solid, region, 0.0, 0.0});
     }
   }
-  if (regions.size() == 1 && !is_prestressed) {
-    regions.front().share = whole;
+  const bool is_directional = std::ranges::any_of(regions, has_directional_loss);
+  if (regions.size() == 1 && !is_prestressed && !is_directional) {
+    regions.front().share = regions.front().relaxing = whole;
     return regions;
   }
   const std::vector<NodeState> state = moving(part, shape, communicator);
-  std::vector<double> shares;
-  for (const StrainedRegion& strained : regions) {
-    std::vector<NodeForce> force(state.size());
-    strained.solid->add_linear_stiffness_force(strained.region, state, force);
-    double& share = shares.emplace_back();
-    for (std::size_t c = 0; c < shape.size(); ++c) {
-      share -= shape[c] * force[c / 3].component[c % 3];
-    }
-    share /= strained.solid->relaxation(strained.region).instantaneous();
+  for (StrainedRegion& strained : regions) {
+    const solid::Solid& solid = *strained.solid;
+    strained.share = stiffness_term(strained, solid.elasticity(strained.region), state, shape);
+    strained.relaxing = has_directional_loss(strained)
+                            ? stiffness_term(strained, solid.relaxing_elasticity(strained.region), state, shape)
+                            : strained.share;
   }
-  parallel::reduce(shares, MPI_SUM, communicator);
-  const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
+  add_up(regions, communicator);
+  double sum = 0.0;
+  for (const StrainedRegion& strained : regions) {
+    sum += strained.share;
+  }
   const double scale = is_prestressed ? 1.0 : sum > 0 ? whole / sum : 0.0;
-  for (std::size_t r = 0; r < regions.size(); ++r) {
-    regions[r].share = scale * shares[r];
+  for (StrainedRegion& strained : regions) {
+    strained.share *= scale;
+    strained.relaxing *= scale;
   }
   return regions;
 }

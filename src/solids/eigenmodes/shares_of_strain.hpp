@@ -15,7 +15,8 @@ namespace idiophone::eigenmodes {
 struct StrainedRegion {
   const solid::Solid* solid;  ///< the body's
   std::size_t region;
-  double share;  ///< x^T K_r x, with the elasticity of the deck
+  double share;     ///< x^T K_r x, with the elasticity of the deck
+  double relaxing;  ///< of this, what the relaxation acts on: all, but for a loss factor by direction
 };
 
 /// x^T K_r x of the stiffness K_r of each region; they add up to `whole`, unless a body is prestressed: then the

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 
 #include "idiophone/foundation/each_once.hpp"
 #include "idiophone/solids/motion/kick.hpp"
@@ -10,14 +11,33 @@ namespace idiophone::motion {
 
 using Displacements = accelerated::AcceleratedSolid::Displacements;
 
+namespace {
+
+/// What of a body an accelerator can't step; empty: nothing.
+std::string unsuitable(const scene::Body& body, const solid::Solid& solid) {
+  if (body.mass_scaling) {
+    return "mass_scaling";
+  }
+  if (!body.fracture.empty()) {
+    return "fracture";
+  }
+  for (std::size_t region = 0; region < solid.region_count(); ++region) {
+    if (solid.has_directional_loss(region)) {
+      return "a loss_factor by direction";
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
 AcceleratedBody::AcceleratedBody(accelerator::Accelerator& accelerator, const scene::Solids& solids,
                                  const mesh::Part& part, const Constraints& constraints, std::size_t number,
                                  MassScaling scaling, std::span<double> lumped)
     : FiniteElementBody(solids, part, constraints, number, scaling, lumped), accelerator_(accelerator) {
   const scene::Body& body = solids.bodies[number];
-  if (body.mass_scaling || !body.fracture.empty()) {
-    throw std::runtime_error("body " + body.name + ": an accelerator can't step a body with " +
-                             (body.mass_scaling ? "mass_scaling" : "fracture") +
+  if (const std::string what = unsuitable(body, solid()); !what.empty()) {
+    throw std::runtime_error("body " + body.name + ": an accelerator can't step a body with " + what +
                              "; leave it out, or leave --accelerator out, or, if the deck has waves on a grid, add "
                              "--accelerate waves");
   }

@@ -24,13 +24,17 @@ StiffnessMatrix stress_turn(const Eigen::Matrix3d& turn) {
 
 }  // namespace
 
+StiffnessMatrix turned(const StiffnessMatrix& stiffness, const Eigen::Matrix3d& axes, double factor) {
+  // By the virtual work of any strain, E = T^T E', and so C' = T C T^T.
+  const StiffnessMatrix turn = stress_turn(axes);
+  return factor * turn * stiffness * turn.transpose();
+}
+
 Elasticity elasticity(const scene::Material& material, const Eigen::Matrix3d& axes, double factor) {
   if (!material.is_isotropic()) {
-    // By the virtual work of any strain, E = T^T E', and so C' = T C T^T.
-    const StiffnessMatrix turn = stress_turn(axes);
     const StiffnessMatrix own =
         material.crystal ? scene::stiffness_matrix(*material.crystal) : scene::stiffness_matrix(*material.orthotropy);
-    return AnisotropicElasticity{factor * turn * own * turn.transpose()};
+    return AnisotropicElasticity{turned(own, axes, factor)};
   }
   const double young = factor * material.young;
   const double poisson = material.poisson;

@@ -117,6 +117,40 @@ struct Maxwell {
   }
 };
 
+/// A generalised Maxwell solid of which a part C_r of the elasticity relaxes (directional_loss.hpp): with the relaxed
+/// strain R = long_term E + sum of overstrains, its stress is C (E + beta E') + C_r (R - E).
+template <MemoryUse use>
+struct DirectionalMaxwell : Maxwell<AnisotropicElasticity, use> {
+  using Whole = Maxwell<AnisotropicElasticity, use>;
+
+  AnisotropicElasticity relaxing;         ///< C_r
+  AnisotropicElasticity relaxing_strain;  ///< C^-1 C_r, of a strain
+
+  /// A, without unit. The arguments are those of Maxwell's law.
+  [[nodiscard]] PackSymmetric strain(const PackMatrix& h, const PackMatrix& change, std::size_t place) const {
+    const PackSymmetric e = green_strain(h);
+    const PackSymmetric de = strain_change(h, change);
+    PackSymmetric relaxed = Whole::strain(h, change, place);  // with beta E', which all of C has
+    const double damping = this->memory.damping();
+    for (int c = 0; c < 6; ++c) {
+      relaxed.at[c] -= e.at[c] + damping * de.at[c];
+    }
+    PackSymmetric sum = relaxing_strain.stress(relaxed, Pack{} + 1.0);
+    for (int c = 0; c < 6; ++c) {
+      sum.at[c] += e.at[c] + damping * de.at[c];
+    }
+    return sum;
+  }
+
+  /// Energy stored in the springs: E : (C - C_r) E/2 and what Maxwell's law stores with C_r, J/m3.
+  [[nodiscard]] Pack energy_density(const PackMatrix& h, const PackMatrix& change, std::size_t place) const {
+    const Pack one = Pack{} + 1.0;
+    const PackSymmetric e = green_strain(h);
+    return Whole{relaxing, this->memory}.energy_density(h, change, place) +
+           0.5 * (contract(e, this->elasticity.stress(e, one)) - contract(e, relaxing.stress(e, one)));
+  }
+};
+
 /// A law of a body that is stressed where it rests: S = S0 + C A. S0 is C A0, so the kernels know nothing of it.
 template <class Law>
 struct Prestressed : Law {

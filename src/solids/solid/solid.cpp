@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "idiophone/foundation/dense/dense.hpp"
+#include "idiophone/solids/solid/directional_loss.hpp"
 #include "idiophone/solids/solid/material_relaxation.hpp"
 #include "laws.hpp"
 #include "tetrahedron_kernels.hpp"
@@ -42,6 +43,19 @@ void with_maxwell(const PackedElements& elements, const Elasticity& elasticity, 
       elements, elasticity);
 }
 
+/// The same with a part of the elasticity that relaxes. The elasticity is not isotropic.
+template <class Visitor, class SomeRegion>
+void with_directional_maxwell(const PackedElements& elements, SomeRegion& region, Visitor visit) {
+  constexpr MemoryUse use = std::is_const_v<SomeRegion> ? MemoryUse::read : MemoryUse::advance;
+  const auto& whole = std::get<AnisotropicElasticity>(region.elasticity);
+  const auto& relaxing = std::get<AnisotropicElasticity>(region.relaxing);
+  std::visit(
+      [&](const auto& packs) {
+        visit(packs, DirectionalMaxwell<use>{{whole, *region.memory}, relaxing, *region.relaxing_strain});
+      },
+      elements);
+}
+
 /// Calls visit(elements, law) with the law of a region's elements, which advances the memory unless the region is
 /// const.
 template <class SomeRegion, class Visitor>
@@ -51,7 +65,9 @@ void with_law(const PackedElements& elements, SomeRegion& region, Visitor visit)
     visit(packs, Prestressed<Plain<decltype(law)>>{law, region.memory ? initial : initial_relaxed});
   };
   const auto with_strain = [&](auto visit_law) {
-    if (region.memory) {
+    if (region.memory && region.relaxing_strain) {
+      with_directional_maxwell(elements, region, visit_law);
+    } else if (region.memory) {
       with_maxwell(elements, region.elasticity, *region.memory, visit_law);
     } else {
       with_kelvin_voigt(elements, region.relaxed, region.beta, visit_law);
@@ -72,13 +88,28 @@ Solid::Region::Region(const OrientedMaterial& oriented, PackRange its_packs)
       density(oriented.material.density),
       relaxation(relaxation_of(oriented.material.damping)),
       elasticity(solid::elasticity(oriented.material, oriented.axes)),
-      relaxed(
-          solid::elasticity(oriented.material, oriented.axes, relaxation_of_loss(oriented.material.damping).long_term)),
-      instantaneous(solid::elasticity(oriented.material, oriented.axes, relaxation.instantaneous())),
+      relaxing(solid::relaxing_elasticity(oriented)),
+      relaxed(elasticity_at(oriented, relaxation_of_loss(oriented.material.damping).long_term)),
+      instantaneous(elasticity_at(oriented, relaxation.instantaneous())),
       stress(oriented.stress) {
+  if (const auto& loss = oriented.material.damping.loss; loss && loss->directions) {
+    relaxing_strain = solid::relaxing_strain(oriented);
+    largest_relaxing_share = solid::largest_relaxing_share(oriented);
+  }
   if (!stress.isZero(0.0)) {
     initial_strains = {strain_of(elasticity, stress), strain_of(relaxed, stress)};
   }
+}
+
+double Solid::Region::most_damping(double frequency) const {
+  const double instant = relaxation.instantaneous();
+  const double by_stiffness = beta * frequency * frequency;
+  if (!largest_relaxing_share) {
+    return by_stiffness / instant + relaxation.instantaneous_damping();
+  }
+  // C_r may be none of the stiffness that resists a motion: K is then that of C. At most it is this share of C.
+  const double share = *largest_relaxing_share;
+  return by_stiffness + relaxation.instantaneous_damping() * instant * share / (1 + (instant - 1) * share);
 }
 
 Solid::Solid(const mesh::BodyPart& part, std::span<const Vector3> reference,
@@ -151,23 +182,21 @@ void Solid::elastic_energy(std::span<const NodeState> state, std::span<double> e
 
 void Solid::add_linear_stiffness_force(std::span<const NodeState> state, std::span<NodeForce> force) const {
   for (std::size_t region = 0; region < regions_.size(); ++region) {
-    add_linear_stiffness_force(region, state, force);
+    add_linear_stiffness_force(region, regions_[region].instantaneous, state, force);
   }
 }
 
-void Solid::add_linear_stiffness_force(std::size_t number, std::span<const NodeState> state,
-                                       std::span<NodeForce> force) const {
-  const Region& region = regions_[number];
-  with_kelvin_voigt(elements_, region.instantaneous, 1.0, [&](const auto& packs, const auto& law) {
-    packs.add_internal_force(law, region.packs, nullptr, state, force);
+void Solid::add_linear_stiffness_force(std::size_t region, const Elasticity& elasticity,
+                                       std::span<const NodeState> state, std::span<NodeForce> force) const {
+  with_kelvin_voigt(elements_, elasticity, 1.0, [&](const auto& packs, const auto& law) {
+    packs.add_internal_force(law, regions_[region].packs, nullptr, state, force);
   });
 }
 
 double Solid::damping(double frequency) const {
   double most = 0.0;
   for (const Region& region : regions_) {
-    most = std::max(most, region.beta / region.relaxation.instantaneous() * frequency * frequency +
-                              region.relaxation.instantaneous_damping());
+    most = std::max(most, region.most_damping(frequency));
   }
   return most;
 }

@@ -65,6 +65,13 @@ using Elasticity = std::variant<IsotropicElasticity, AnisotropicElasticity>;
 
 [[nodiscard]] StiffnessMatrix stiffness_matrix(const Elasticity& elasticity);
 
+/// C of a material whose own axes are these.
+/// @param stiffness  along the own axes
+/// @param axes       in the columns
+/// @param factor     makes it so much stiffer
+[[nodiscard]] StiffnessMatrix turned(const StiffnessMatrix& stiffness, const Eigen::Matrix3d& axes,
+                                     double factor = 1.0);
+
 /// The stress that a strain makes, Pa.
 /// @param strain  symmetric
 [[nodiscard]] Eigen::Matrix3d stress_of(const Elasticity& elasticity, const Eigen::Matrix3d& strain);

@@ -1,5 +1,5 @@
 #pragma once
-// A loss factor that is the same at all frequencies of a band, as a generalised Maxwell solid: a spring with springs
+// A loss factor that is known throughout a band of frequencies, as a generalised Maxwell solid: a spring with springs
 // beside it that creep away through dashpots.
 
 #include <complex>
@@ -17,6 +17,7 @@ struct Relaxation {
   };
   double long_term = 1.0;  ///< modulus at frequency 0
   std::vector<Mechanism> mechanisms;
+  double deviation = 0.0;  ///< largest |tan(phi)/loss factor - 1| in the band that it was fitted to
 
   /// Modulus at frequencies far above the band, and against a blow.
   [[nodiscard]] double instantaneous() const;
@@ -30,8 +31,9 @@ struct Relaxation {
 };
 
 /// Fits mechanisms so that tan(phi) is the loss factor within 5 % throughout its band, and the storage modulus 1 in the
-/// band's (geometric) middle.
-/// @throws deck::DeckError where the number of mechanisms that the deck asks for can't do that
+/// band's (geometric) middle. Of a loss factor by direction, this is the largest one. A curve over the frequency that
+/// can't be kept within 5 % is kept as well as possible, within 25 %.
+/// @throws deck::DeckError where the number of mechanisms that the deck asks for can't do that, or no number can
 [[nodiscard]] Relaxation fit_relaxation(const scene::LossFactor& loss);
 
 /// A dashpot in series with the whole solid: M(s) s/(s + rate). A mode of angular frequency w then satisfies

@@ -63,8 +63,8 @@ class Solid {
   /// velocities in `state` (whose displacements must be zero). At rest Kelvin-Voigt's damping force is -beta K v, and
   /// beta is set to 1 s. K is that of the material: a prestress adds nothing to it.
   void add_linear_stiffness_force(std::span<const NodeState> state, std::span<NodeForce> force) const;
-  /// That of one region's elements.
-  void add_linear_stiffness_force(std::size_t region, std::span<const NodeState> state,
+  /// That of one region's elements, if this is their elasticity.
+  void add_linear_stiffness_force(std::size_t region, const Elasticity& elasticity, std::span<const NodeState> state,
                                   std::span<NodeForce> force) const;
 
   /// Damping of motion so fast that K is the stiffness: 2 zeta w = stiffness-proportional w^2 + what the loss factor
@@ -83,6 +83,16 @@ class Solid {
 
   /// The deck's elasticity: with a loss factor, that in the middle of its band.
   [[nodiscard]] const Elasticity& elasticity(std::size_t region = 0) const { return regions_[region].elasticity; }
+
+  /// The part of it that the relaxation acts on: all of it, but for a loss factor by direction (directional_loss.hpp).
+  [[nodiscard]] const Elasticity& relaxing_elasticity(std::size_t region = 0) const {
+    return regions_[region].relaxing;
+  }
+
+  /// Whether this is a part of the elasticity only, because the loss factor depends on the direction.
+  [[nodiscard]] bool has_directional_loss(std::size_t region = 0) const {
+    return regions_[region].relaxing_strain.has_value();
+  }
 
   /// Elasticity after an eternity at rest: that of static equilibria.
   [[nodiscard]] const Elasticity& relaxed_elasticity(std::size_t region = 0) const { return regions_[region].relaxed; }
@@ -116,16 +126,23 @@ class Solid {
   struct Region {
     Region(const OrientedMaterial& oriented, PackRange its_packs);
 
+    /// As Solid::damping().
+    [[nodiscard]] double most_damping(double frequency) const;
+
     PackRange packs;
     double beta;  ///< damping proportional to stiffness, s
     double density;
     Relaxation relaxation;
     Elasticity elasticity;     ///< the deck's
+    Elasticity relaxing;       ///< the part of it that the relaxation acts on
     Elasticity relaxed;        ///< at frequency 0, without creep
     Elasticity instantaneous;  ///< against a blow
     Eigen::Matrix3d stress;    ///< where the body rests, Pa
     /// Strains that make this stress with `elasticity` and with `relaxed`. None: no stress.
     std::optional<std::array<PackSymmetric, 2>> initial_strains;
+    /// Of a loss factor by direction; see directional_loss.hpp.
+    std::optional<AnisotropicElasticity> relaxing_strain = std::nullopt;
+    std::optional<double> largest_relaxing_share = std::nullopt;
     std::optional<Memory> memory = std::nullopt;
   };
 
