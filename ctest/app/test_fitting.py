@@ -34,6 +34,8 @@ class Identify(program.TestCase):
         self.assertAlmostEqual(found["constants"]["young"]["value"] / 6.2e6, 1, delta=1e-5)
         self.assertAlmostEqual(found["constants"]["poisson"]["value"], 0.36, delta=1e-5)
         self.assertLess(found["fitted_rms"], 0.01)
+        self.assertLess(found["chi_squared"], 1e-3)
+        self.assertEqual(found["degrees_of_freedom"], len(lines) - 2)
         self.assertTrue(found["accepted"])
         text = self.identify(measured=json.dumps({"lines": lines})).stdout
         self.assertIn(f"materials:\n  {material}:\n    young: 6.2e+06\n", text)

@@ -31,6 +31,7 @@ def test_identifies_the_constants_that_were_used(ball, lines):
     assert [line.measured for line in found.lines] == pytest.approx(list(lines))
     assert found.lines[0].mode == 1 and abs(found.lines[0].cents) < 0.01
     assert found.fitted_rms < 0.01 and found.predicted_rms is None
+    assert found.chi_squared < 1e-3 and found.degrees_of_freedom == len(lines) - 1
     ball["materials.rubber"] = found.materials["rubber"]
     assert ball["materials.rubber.young"] == pytest.approx(6.2e6, rel=1e-5)
     assert ball.modes(count=1, estimate=False).frequency[0] == pytest.approx(lines[0], rel=1e-5)

@@ -49,6 +49,8 @@ class Identification:
                                        #: the side `along`, `size` (m), how many `lines`, `up_to` (Hz), `half_width`, and
                                        #: whether the constant would be `determined`
     fitted_rms: float | None           #: cents; None if no line was fitted
+    chi_squared: float                 #: sum of the squares of the fitted lines' cents over their uncertainties and mesh errors
+    degrees_of_freedom: int            #: of chi_squared
     predicted_rms: float | None        #: cents; None if no line was predicted
     density: float                     #: kg/m3
     volume: float                      #: m3

@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "shared_options.hpp"
 
@@ -27,7 +28,7 @@ struct Command {
 
 /// @tparam Options  of the command; those with a `style` answer scripts, too
 template <class Options>
-[[nodiscard]] Command make_command(std::string name, std::string summary, Ranks ranks,
+[[nodiscard]] Command make_command(std::string_view name, std::string_view summary, Ranks ranks,
                                    void (*declare)(CLI::App&, Options&), int (*call)(const Options&)) {
   const auto options = std::make_shared<Options>();
   const auto style = [options] {
@@ -37,8 +38,8 @@ template <class Options>
       return Style::text;
     }
   };
-  return {.name = std::move(name),
-          .summary = std::move(summary),
+  return {.name = std::string(name),
+          .summary = std::string(summary),
           .ranks = ranks,
           .declare = [options, declare](CLI::App& app) { declare(app, *options); },
           .call = [options, call] { return call(*options); },

@@ -75,7 +75,8 @@ void print_lines(const Identification& found) {
                "-");
   }
   if (found.fitted_rms) {
-    fmt::print("rms of the fitted lines: {:.2f} cents\n", *found.fitted_rms);
+    fmt::print("rms of the fitted lines: {:.2f} cents; chi-squared: {:.1f} of {} degrees of freedom\n",
+               *found.fitted_rms, found.chi_squared, found.freedom);
   }
   if (found.tested_rms) {
     fmt::print("rms of the predicted lines: {:.2f} cents\n", *found.tested_rms);
@@ -136,6 +137,8 @@ nlohmann::json identification_facts(const Identification& found) {
                            {"further_lines", nlohmann::json::array()},
                            {"further_sizes", nlohmann::json::array()},
                            {"fitted_rms", loop::number_or_null(found.fitted_rms.value_or(NAN))},
+                           {"chi_squared", found.chi_squared},
+                           {"degrees_of_freedom", found.freedom},
                            {"predicted_rms", loop::number_or_null(found.tested_rms.value_or(NAN))},
                            {"materials", materials_section(found.material)},
                            {"grain", nullptr},

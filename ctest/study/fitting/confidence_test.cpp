@@ -74,6 +74,9 @@ TEST(Confidence, KnowsWhatIsChance) {
   EXPECT_NEAR(largest_by_chance(1) / 3.8415, 1, 0.04);
   EXPECT_NEAR(largest_by_chance(10) / 1.8307, 1, 1e-3);
   EXPECT_NEAR(largest_by_chance(100) / 1.24342, 1, 1e-4);
+  EXPECT_NEAR(largest_believable(1) / 10.828, 1, 0.04);
+  EXPECT_NEAR(largest_believable(10) / 29.588, 1, 0.01);
+  EXPECT_NEAR(largest_believable(100) / 149.449, 1, 1e-3);
 }
 
 // A line whose mode does not depend on the constant, beside lines that fit badly.

@@ -69,8 +69,9 @@ FurtherSize size_for_the_shear() {
   const StrainedBody body = strained(wooden(plate_sides));
   const Eigen::VectorXd widths = 1.96 * 0.2 * Eigen::VectorXd::Unit(9, 8);
   const std::vector<FurtherSize> sizes =
-      further_sizes({body, spruce(), constants, expected, by_chance, plate_uncertainty, plate_lines}, widths, [] {
-      }).named;
+      further_sizes({body, spruce(), constants, expected, by_chance, plate_uncertainty, plate_lines}, widths,
+                    [](int /*solves*/) {})
+          .named;
   EXPECT_EQ(sizes.size(), 1U);
   return sizes.empty() ? FurtherSize{} : sizes.front();
 }
@@ -126,7 +127,7 @@ TEST(FurtherSizes, NothingIsNamedForConstantsThatAreKnownBetter) {
   int solves = 0;
   const auto named = [&](double width) {
     return further_sizes({body, spruce(), constants, expected, {1.0, 1.96}, 2.0, 6},
-                         Eigen::VectorXd::Constant(constants.size(), width), [&] { ++solves; });
+                         Eigen::VectorXd::Constant(constants.size(), width), [&](int now) { solves += now; });
   };
   EXPECT_TRUE(named(1e-6).named.empty());
   EXPECT_EQ(solves, 12);
@@ -143,7 +144,7 @@ TEST(FurtherSizes, NothingIsNamedForABodyThatDoesNotFillItsBox) {
   const StrainedBody body = strained(scene);
   int solves = 0;
   const FurtherSizes sizes = further_sizes({body, spruce(), constants, expected_of(constants), by_chance, 2.0, 6},
-                                           Eigen::VectorXd::Ones(9), [&] { ++solves; });
+                                           Eigen::VectorXd::Ones(9), [&](int now) { solves += now; });
   EXPECT_TRUE(sizes.named.empty());
   EXPECT_EQ(solves, 0);
 }

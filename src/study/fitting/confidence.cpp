@@ -10,12 +10,22 @@ namespace {
 
 constexpr double gaussian = 1.959964;  // 97.5 % of a normal distribution are below
 
+/// Chi-squared over its degrees of freedom that is as unlikely as normal errors above z.
+double chi_squared_over_freedom(double freedom, double z) {
+  const double part = 2 / (9 * freedom);
+  return std::pow(1 - part + z * std::sqrt(part), 3);
+}
+
 }  // namespace
 
 double largest_by_chance(double freedom) {
   constexpr double z = 1.644854;  // 95 % of a normal distribution are below
-  const double part = 2 / (9 * freedom);
-  return std::pow(1 - part + z * std::sqrt(part), 3);
+  return chi_squared_over_freedom(freedom, z);
+}
+
+double largest_believable(double freedom) {
+  constexpr double z = 3.090232;  // 99.9 %
+  return freedom * chi_squared_over_freedom(freedom, z);
 }
 
 double student_t(double freedom) {

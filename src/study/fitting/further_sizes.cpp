@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -25,14 +26,12 @@ struct Size {
 constexpr Size sizes[] = {{0, 0.25}, {0, 0.5}, {0, 2},    {0, 4},   {1, 0.25}, {1, 0.5},
                           {1, 2},    {1, 4},   {2, 0.25}, {2, 0.5}, {2, 2},    {2, 4}};
 
-/// What the lines of a specimen would say.
-struct SizedEvidence {
-  Evidence evidence;
-  Vector3 extents;       ///< m
-  double highest = 0.0;  ///< of the lines, Hz
+/// A specimen of another size.
+struct SizedBody {
+  Size size;
+  StrainedBody body;
+  FrequencyModel model;  ///< of its lowest modes
 };
-
-enum class MeshErrors { left_out, estimated };
 
 /// A body that another length of a side leaves a block, a bar or a plate: one that fills its box. A cylinder fills
 /// pi/4.
@@ -46,62 +45,54 @@ std::string refusal_of(const Size& size, const Specimen& specimen, const std::ex
                      fmt::join(specimen.body.direction(size.side), ", "), reason.what());
 }
 
-struct SizedBody {
-  StrainedBody body;
-  FrequencyModel model;  ///< of its lowest modes
-};
-
 /// @param refused  why there is no such body goes there
 /// @return none where what holds the body is no longer on its surface, or its modes can't be found
-std::optional<SizedBody> sized_body(const Size& size, const Specimen& specimen, std::vector<std::string>& refused) {
+std::shared_ptr<const SizedBody> sized_body(const Size& size, const Specimen& specimen,
+                                            std::vector<std::string>& refused) {
   std::optional<StrainedBody> body;
   try {
     body = specimen.body.stretched(size.side, size.factor);
   } catch (const deck::DeckError& reason) {
     refused.push_back(refusal_of(size, specimen, reason));
-    return {};
+    return nullptr;
   }
   try {
     FrequencyModel model = body->lowest(specimen.material, specimen.modes);
-    return SizedBody{*std::move(body), std::move(model)};
+    return std::make_shared<const SizedBody>(size, *std::move(body), std::move(model));
   } catch (const std::runtime_error& reason) {  // all that find_modes() throws: the constants must not be lost for it
     refused.push_back(refusal_of(size, specimen, reason));
-    return {};
+    return nullptr;
   }
 }
 
-/// @return as sized_body()
-std::optional<SizedEvidence> evidence_at(const Size& size, const Specimen& specimen, MeshErrors wanted,
-                                         std::vector<std::string>& refused) {
-  const std::optional<SizedBody> sized = sized_body(size, specimen, refused);
-  if (!sized) {
-    return {};
-  }
-  const auto& [body, model] = *sized;
-  const std::vector<double> errors =
-      wanted == MeshErrors::estimated ? body.mesh_errors(model) : std::vector<double>(model.multiplets().size());
-  return SizedEvidence{imagined_lines(model, specimen.constants, specimen.material, specimen.uncertainty, errors),
-                       body.extents(), model.frequencies(specimen.material).tail(1)[0]};
+/// Half-widths of the intervals that the lines of a body would leave.
+/// @param mesh_errors  [multiplets of its model] cents
+Eigen::VectorXd widths_of(const SizedBody& sized, const Specimen& specimen, const std::vector<double>& mesh_errors,
+                          const Eigen::MatrixXd& slopes) {
+  const Evidence evidence =
+      imagined_lines(sized.model, specimen.constants, specimen.material, specimen.uncertainty, mesh_errors);
+  return half_widths(evidence, specimen.residuals, specimen.expected, slopes);
 }
 
-Eigen::VectorXd widths_of(const SizedEvidence& sized, const Specimen& specimen, const Eigen::MatrixXd& slopes) {
-  return half_widths(sized.evidence, specimen.residuals, specimen.expected, slopes);
-}
-
-/// For each unknown, the size that leaves the smallest interval, without the errors of the mesh; none where all leave
-/// one above its limit. [constants]
-std::vector<std::optional<Size>> best_sizes(const Specimen& specimen, Eigen::VectorXd limits,
-                                            const std::function<void()>& watch, std::vector<std::string>& refused) {
+/// For each unknown, the body of the size that leaves the smallest interval, without the errors of the mesh; none where
+/// all leave one above its limit. [constants]
+std::vector<std::shared_ptr<const SizedBody>> best_sizes(const Specimen& specimen, Eigen::VectorXd limits,
+                                                         const std::function<void(int solves)>& watch,
+                                                         std::vector<std::string>& refused) {
   const Eigen::MatrixXd of_unknowns = Eigen::MatrixXd::Identity(limits.size(), limits.size());
-  std::vector<std::optional<Size>> best(specimen.constants.size());
+  std::vector<std::shared_ptr<const SizedBody>> best(specimen.constants.size());
   for (const Size& size : sizes) {
-    const std::optional<SizedEvidence> sized = evidence_at(size, specimen, MeshErrors::left_out, refused);
-    watch();
-    const Eigen::VectorXd left = sized ? widths_of(*sized, specimen, of_unknowns) : limits;
+    const std::shared_ptr<const SizedBody> sized = sized_body(size, specimen, refused);
+    watch(1);
+    if (!sized) {
+      continue;
+    }
+    const std::vector<double> no_errors(sized->model.multiplets().size());
+    const Eigen::VectorXd left = widths_of(*sized, specimen, no_errors, of_unknowns);
     for (Eigen::Index k = 0; k < limits.size(); ++k) {
       if (left[k] < limits[k]) {
         limits[k] = left[k];
-        best[static_cast<std::size_t>(k)] = size;
+        best[static_cast<std::size_t>(k)] = sized;
       }
     }
   }
@@ -111,38 +102,37 @@ std::vector<std::optional<Size>> best_sizes(const Specimen& specimen, Eigen::Vec
 }  // namespace
 
 FurtherSizes further_sizes(const Specimen& specimen, const Eigen::VectorXd& widths,
-                           const std::function<void()>& watch) {
+                           const std::function<void(int solves)>& watch) {
   constexpr double worthwhile = 0.5;  // of the interval that is known
   const Eigen::VectorXd limits = worthwhile * widths;
   if (limits.isZero(0.0) || !is_compact(specimen.body)) {
     return {};
   }
   FurtherSizes found;
-  const std::vector<std::optional<Size>> best = best_sizes(specimen, limits, watch, found.refused);
+  const std::vector<std::shared_ptr<const SizedBody>> best = best_sizes(specimen, limits, watch, found.refused);
   const Eigen::MatrixXd of_unknowns = Eigen::MatrixXd::Identity(limits.size(), limits.size());
   const Eigen::MatrixXd of_values = value_slopes(specimen.constants, specimen.material);
   for (const Size& size : sizes) {
-    if (std::ranges::find(best, size) == best.end()) {
+    const auto place = std::ranges::find_if(best, [&](const auto& body) { return body && body->size == size; });
+    if (place == best.end()) {
       continue;
     }
-    const std::optional<SizedEvidence> sized = evidence_at(size, specimen, MeshErrors::estimated, found.refused);
-    watch();
-    if (!sized) {
-      continue;
-    }
-    const Eigen::VectorXd left = widths_of(*sized, specimen, of_unknowns);
-    const Eigen::VectorXd left_of_values = widths_of(*sized, specimen, of_values);
+    const SizedBody& sized = **place;
+    const std::vector<double> mesh_errors = sized.body.mesh_errors(sized.model);
+    watch(0);
+    const Eigen::VectorXd left = widths_of(sized, specimen, mesh_errors, of_unknowns);
+    const Eigen::VectorXd left_of_values = widths_of(sized, specimen, mesh_errors, of_values);
     for (std::size_t k = 0; k < best.size(); ++k) {
-      const auto place = static_cast<Eigen::Index>(k);
-      if (best[k] == size && left[place] <= limits[place]) {
+      const auto unknown = static_cast<Eigen::Index>(k);
+      if (best[k] == *place && left[unknown] <= limits[unknown]) {
         found.named.push_back({.constant = specimen.constants[k].name,
                                .factor = size.factor,
                                .along = specimen.body.direction(size.side),
-                               .extents = sized->extents,
-                               .lines = static_cast<int>(sized->evidence.slopes.rows()),
-                               .highest = sized->highest,
-                               .half_width = left_of_values[place],
-                               .is_determined = left[place] <= undetermined});
+                               .extents = sized.body.extents(),
+                               .lines = static_cast<int>(mesh_errors.size()),
+                               .highest = sized.model.frequencies(specimen.material).tail(1)[0],
+                               .half_width = left_of_values[unknown],
+                               .is_determined = left[unknown] <= undetermined});
       }
     }
   }

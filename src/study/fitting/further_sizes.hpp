@@ -35,8 +35,9 @@ struct FurtherSizes {
 /// longer than the modes. Of a body that fills less than three quarters of its box, nothing is named: a bell or a tube
 /// that is stretched along a side is none that could be had.
 /// @param widths  half-widths of the intervals of the unknowns that are known; 0 for those that are wanted no smaller
-/// @param watch   is called after each solution, and ends the search by an exception
+/// @param watch   is called with 1 after each eigenvalue problem, with 0 after each estimate of the errors of the mesh,
+///                and ends the search by an exception
 [[nodiscard]] FurtherSizes further_sizes(const Specimen& specimen, const Eigen::VectorXd& widths,
-                                         const std::function<void()>& watch);
+                                         const std::function<void(int solves)>& watch);
 
 }  // namespace idiophone::fitting

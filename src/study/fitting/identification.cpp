@@ -1,13 +1,11 @@
 #include "idiophone/study/fitting/identification.hpp"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "assignment.hpp"
+#include "doubts.hpp"
 #include "fit_damping.hpp"
 #include "idiophone/study/partials/compare.hpp"
 #include "material_fit.hpp"
@@ -15,18 +13,6 @@
 namespace idiophone::fitting {
 
 namespace {
-
-std::optional<double> rms_of(const std::vector<AssignedLine>& lines, bool fitted) {
-  double sum = 0.0;
-  int count = 0;
-  for (const AssignedLine& line : lines) {
-    if (line.modes > 0 && line.is_fitted == fitted && !line.is_split) {
-      sum += line.cents * line.cents;
-      ++count;
-    }
-  }
-  return count == 0 ? std::nullopt : std::optional(std::sqrt(sum / count));
-}
 
 /// Gives lines without a mode the mode of a line that is as good as at the same place.
 void add_split_lines(std::vector<AssignedLine>& lines) {
@@ -85,35 +71,6 @@ void add_damping(Identification& result) {
   }
 }
 
-/// Says why the fit is not accepted.
-void add_doubts(const std::vector<AssignedLine>& lines, double tolerance, std::vector<std::string>& doubts) {
-  constexpr double too_far = 3.0;  // of the root mean square of the distances over the uncertainties
-  std::vector<double> false_lines;
-  double squares = 0.0, allowed = 0.0, sum = 0.0, mesh = 0.0;
-  int fitted = 0;
-  for (const AssignedLine& line : lines) {
-    if (line.modes == 0) {
-      false_lines.push_back(line.line.frequency);
-    } else if (line.is_fitted) {
-      ++fitted;
-      squares += std::pow(line.cents / line.line.uncertainty, 2);
-      allowed += std::pow(line.line.uncertainty, 2);
-      sum += std::pow(line.cents, 2);
-      mesh = std::max(mesh, line.mesh_error);
-    }
-  }
-  if (!false_lines.empty()) {
-    doubts.push_back(fmt::format("{} of {} lines are no mode of the body within {:g} cents: {:g} Hz",
-                                 false_lines.size(), lines.size(), tolerance, fmt::join(false_lines, ", ")));
-  }
-  if (squares > too_far * too_far * fitted) {
-    doubts.push_back(fmt::format(
-        "the fitted lines are {:.1f} cents away from their modes (root mean square), and their uncertainties "
-        "are {:.1f}; the mesh may make a mode wrong by {:.1f}",
-        std::sqrt(sum / fitted), std::sqrt(allowed / fitted), mesh));
-  }
-}
-
 }  // namespace
 
 Identification identify(const scene::Solids& solids, const Measurements& measured,
@@ -127,9 +84,8 @@ Identification identify(StrainedBody body, const Measurements& measured, const I
   fit.run(result);
   add_lines(measured.lines, fit, options.tolerance, result);
   add_split_lines(result.lines);
-  result.fitted_rms = rms_of(result.lines, true);
-  result.tested_rms = rms_of(result.lines, false);
-  add_doubts(result.lines, options.tolerance, result.doubts);
+  add_residuals(result);
+  add_doubts(options.tolerance, result);
   add_damping(result);
   return result;
 }

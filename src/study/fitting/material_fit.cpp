@@ -134,7 +134,7 @@ void MaterialFit::renew_model(double trusted) {
   }
   model_ = body_.model(material_, model_up_to());
   solved_ = material_;
-  note_solve();
+  note_solves(1);
 }
 
 /// The frequency up to which all modes are solved, Hz.
@@ -143,8 +143,8 @@ double MaterialFit::model_up_to() const {
   return highest_ * std::exp2((options_.tolerance + more) / 1200);
 }
 
-void MaterialFit::note_solve() {
-  ++solves_;
+void MaterialFit::note_solves(int solves) {
+  solves_ += solves;
   heed_watch();
 }
 

@@ -77,7 +77,7 @@ class MaterialFit {
   [[nodiscard]] bool fits_as_well(const TurnedMaterial& material);
   void look_further(Identification& result);
   void renew_model(double trusted);
-  void note_solve();
+  void note_solves(int solves);
   void heed_watch() const;
   double adopt(const MatchedFit& fit);
   [[nodiscard]] FitProblem problem() const { return {lines_, *model_, constants_}; }

@@ -73,7 +73,7 @@ void MaterialFit::look_further(Identification& result) {
   }
   FurtherSizes sizes = further_sizes({body_, material_, constants_, expected_, residuals, usual_uncertainty(),
                                       std::clamp(static_cast<int>(measured_.size()), least_modes, most_modes)},
-                                     left, [this] { note_solve(); });
+                                     left, [this](int solves) { note_solves(solves); });
   result.sizes = std::move(sizes.named);
   result.refused_sizes = std::move(sizes.refused);
 }
@@ -104,7 +104,7 @@ MaterialFit::FurtherModes MaterialFit::further_modes() {
   const Multiplet& last = model_->multiplets().back();
   const int modes = last.first + last.count;
   const FrequencyModel model = body_.lowest(material_, modes + std::max(least, modes / 2));
-  note_solve();
+  note_solves(1);
   std::vector<bool> is_measured(model.multiplets().size());
   for (const auto& [line, multiplet] : assign(measured_, *model_, material_, options_.tolerance).pairs) {
     const auto same = std::ranges::find(model.multiplets(), model_->multiplets()[multiplet].first, &Multiplet::first);

@@ -18,6 +18,11 @@ namespace {
 constexpr double judging = 100.0;         // cents; how well lines fit a start
 constexpr double largest_shift = 1000.0;  // cents, by which all frequencies may be wrong at first
 
+/// How far around a material fits begin again, so that modes that cross do not lead into a wrong minimum.
+std::vector<double> distances_around(bool may_cross) {
+  return may_cross ? std::vector{0.03, 0.1} : std::vector<double>{};
+}
+
 }  // namespace
 
 /// From the lowest lines and modes, on a coarser mesh where that is possible, until the modes belong to about the
@@ -48,7 +53,7 @@ void MaterialFit::begin() {
 void MaterialFit::solve_lowest(StrainedBody& body, const TurnedMaterial& material, std::size_t lines) {
   modelled_ = material;
   model_ = body.lowest(material, static_cast<int>(2 * lines + 5));
-  note_solve();
+  note_solves(1);
 }
 
 /// Solves and fits in turn.
@@ -56,7 +61,7 @@ void MaterialFit::solve_lowest(StrainedBody& body, const TurnedMaterial& materia
 void MaterialFit::approach(const std::vector<Line>& lowest, StrainedBody& body, Start& start, double least) {
   constexpr int most_repetitions = 3;
   const FitRules rules{stages_.back(), std::max(options_.tolerance, first_tolerance / 2), &start.expected};
-  const std::vector<double> around = has_turns() ? std::vector{0.03, 0.1} : std::vector<double>{};
+  const std::vector<double> around = distances_around(has_turns());
   for (int turn = 0; turn < most_repetitions && distance(constants_, start.material, modelled_) > nearby; ++turn) {
     solve_lowest(body, start.material, lowest.size());
     start.material = fit_around({lowest, *model_, constants_}, start.material, rules, around).material;
@@ -83,7 +88,7 @@ std::vector<MaterialFit::Start> MaterialFit::find_starts(const std::vector<Line>
       solve_lowest(body, turned, lowest.size());
     }
     const FitProblem problem{lowest, *model_, constants_};
-    const std::vector<double> around = turned.turns.isZero(0.0) ? std::vector{0.03, 0.1} : std::vector<double>{};
+    const std::vector<double> around = distances_around(turned.turns.isZero(0.0));
     for (const double shift : likely_shifts(lowest, turned)) {
       TurnedMaterial material = with_unknowns(
           constants_, turned, unknowns(constants_, turned) + shift / 600 * std::numbers::ln2 * stages_.front().col(0));

@@ -119,7 +119,7 @@ bool MaterialFit::are_within_intervals(const TurnedMaterial& a, const TurnedMate
 bool MaterialFit::fits_as_well(const TurnedMaterial& material) {
   const double allowed = line_residuals(problem(), pairs_, material_).squaredNorm() + largest_by_chance(1);
   const FrequencyModel model = body_.model(material, model_up_to());
-  note_solve();
+  note_solves(1);
   const FitProblem other{lines_, model, constants_};
   const LinePairs pairs = assign(lines_, model, material, options_.tolerance).pairs;
   return pairs.size() == pairs_.size() && line_residuals(other, pairs, material).squaredNorm() <= allowed;

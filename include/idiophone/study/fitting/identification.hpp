@@ -88,11 +88,13 @@ struct Identification {
   double looked_up_to = 0.0;                  ///< Hz, the highest mode among which they were looked for; 0: none were
   std::optional<double> fitted_rms;           ///< root of the mean square of the fitted lines' cents
   std::optional<double> tested_rms;           ///< of the others'; none if there are none
-  bool has_damping = false;                   ///< the material's damping is from measured decay times
-  double volume = 0.0;                        ///< of the body, m3
-  int solves = 0;                             ///< eigenvalue problems solved
-  bool stopped = false;                       ///< the watch ended the search
-  std::vector<std::string> doubts;            ///< why the fit is not accepted, sentences; empty: it explains the lines
+  double chi_squared = 0.0;  ///< sum of the squares of the fitted lines' cents over their uncertainties and mesh errors
+  int freedom = 1;           ///< of chi_squared: fitted lines without constants that were fitted, but at least 1
+  bool has_damping = false;  ///< the material's damping is from measured decay times
+  double volume = 0.0;       ///< of the body, m3
+  int solves = 0;            ///< eigenvalue problems solved
+  bool stopped = false;      ///< the watch ended the search
+  std::vector<std::string> doubts;  ///< why the fit is not accepted, sentences; empty: it explains the lines
 };
 
 /// Fits the elastic constants of a body, and turns of its material's axes, to measured lines: Gauss-Newton with
@@ -101,8 +103,9 @@ struct Identification {
 /// density, decay times the damping. The 95 % intervals contain the lines' uncertainties, the errors of the mesh and
 /// those of constants that are held. A constant whose interval is wider than +-10 %, or of a Poisson's ratio +-0.1,
 /// keeps the deck's value if the lines fit as well with it, and further lines are named that would determine it, or
-/// another size of the specimen. The fit is not accepted where a line is false, or where the root of the mean square of
-/// the fitted lines' cents over their uncertainties is above 3. On this rank alone.
+/// another size of the specimen. The fit is not accepted where a line is false, or where the fitted
+/// lines are farther from their modes than in 99.9 % of right fits: a chi-squared test of their uncertainties and the
+/// errors of the mesh. On this rank alone.
 /// @param solids  one body (scene::Solids::alone)
 /// @throws std::runtime_error for an unknown constant, turns of an isotropic material, or if no line fits any mode;
 /// deck::DeckError for a wrong mesh;
