@@ -53,6 +53,14 @@ Vector3 non_negative(const Eigen::MatrixX3d& rates) {
 
 }  // namespace
 
+std::array<double, 2> band_around(const std::vector<Decay>& decays) {
+  std::array<double, 2> band = scene::LossFactor().band;
+  for (const Decay& decay : decays) {
+    band = {std::min(band[0], decay.frequency / 2), std::max(band[1], 2 * decay.frequency)};
+  }
+  return band;
+}
+
 std::optional<scene::Damping> fit_damping(const std::vector<Decay>& decays) {
   if (decays.empty()) {
     return {};
@@ -62,12 +70,15 @@ std::optional<scene::Damping> fit_damping(const std::vector<Decay>& decays) {
   if (values[0] > 0) {
     scene::LossFactor loss;
     loss.value = values[0];
-    for (const Decay& decay : decays) {
-      loss.band = {std::min(loss.band[0], decay.frequency / 2), std::max(loss.band[1], 2 * decay.frequency)};
-    }
+    loss.band = band_around(decays);
     damping.loss = loss;
   }
   return damping;
+}
+
+double squares_of(const scene::Damping& damping, const std::vector<Decay>& decays) {
+  const Vector3 values(damping.loss ? damping.loss->value : 0.0, damping.mass, damping.stiffness);
+  return ((relative_rates(decays) * values).array() - 1).square().sum();
 }
 
 }  // namespace idiophone::fitting

@@ -40,7 +40,7 @@ FrequencyModel::FrequencyModel(const std::vector<StrainedMode>& modes, const Tur
     : axes_(std::move(axes)), stiffness_(stiffness(material)), multiplets_(multiplets_of(modes)) {}
 
 solid::StiffnessMatrix FrequencyModel::stiffness(const TurnedMaterial& material) const {
-  return solid::stiffness_matrix(solid::elasticity(material, axes_ * material.turn()));
+  return solid::stiffness_matrix(solid::elasticity(material, axes_of(material)));
 }
 
 Eigen::VectorXd FrequencyModel::frequencies(const TurnedMaterial& material) const {

@@ -33,6 +33,9 @@ class FrequencyModel {
 
   [[nodiscard]] const std::vector<Multiplet>& multiplets() const { return multiplets_; }
 
+  /// Axes of a material in the body, in the columns.
+  [[nodiscard]] Eigen::Matrix3d axes_of(const TurnedMaterial& material) const { return axes_ * material.turn(); }
+
   /// Frequencies (Hz) of all multiplets with another material: w^2 + (C - C_0) : Q. Exact to first order in C - C_0.
   [[nodiscard]] Eigen::VectorXd frequencies(const TurnedMaterial& material) const;
 

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 #include "assignment.hpp"
 #include "doubts.hpp"
 #include "fit_damping.hpp"
+#include "fit_directional_loss.hpp"
 #include "idiophone/study/partials/compare.hpp"
 #include "material_fit.hpp"
 
@@ -58,16 +60,36 @@ void add_lines(const std::vector<Line>& lines, const MaterialFit& fit, double to
   }
 }
 
-void add_damping(Identification& result) {
-  std::vector<Decay> decays;
-  for (const AssignedLine& line : result.lines) {
+/// Decays of the lines that have a mode, with what it strains.
+std::vector<StrainedDecay> strained_decays(const std::vector<AssignedLine>& lines,
+                                           const std::vector<Multiplet>& multiplets) {
+  std::vector<StrainedDecay> decays;
+  for (const AssignedLine& line : lines) {
     if (line.modes > 0 && line.line.decay_time) {
-      decays.push_back({line.line.frequency, *line.line.decay_time});
+      const auto multiplet = std::ranges::find(multiplets, line.first_mode - 1, &Multiplet::first);
+      decays.push_back({{line.line.frequency, *line.line.decay_time}, multiplet->strain});
     }
   }
-  if (const auto damping = fit_damping(decays)) {
-    result.material.damping = *damping;
-    result.has_damping = true;
+  return decays;
+}
+
+void add_damping(const MaterialFit& fit, Identification& result) {
+  const std::vector<StrainedDecay> strained = strained_decays(result.lines, fit.model().multiplets());
+  std::vector<Decay> decays;
+  std::ranges::transform(strained, std::back_inserter(decays), &StrainedDecay::decay);
+  const auto damping = fit_damping(decays);
+  if (!damping) {
+    return;
+  }
+  result.material.damping = *damping;
+  result.has_damping = true;
+  if (result.material.orthotropy) {
+    const Eigen::Matrix3d axes = fit.model().axes_of(fit.material());
+    const auto directional = fit_directional_loss(result.material, axes, strained);
+    if (directional && directional->squares < squares_of(*damping, decays)) {
+      result.material.damping = {.loss = directional->loss};
+      result.material.damping.loss->band = band_around(decays);
+    }
   }
 }
 
@@ -86,7 +108,7 @@ Identification identify(StrainedBody body, const Measurements& measured, const I
   add_split_lines(result.lines);
   add_residuals(result);
   add_doubts(options.tolerance, result);
-  add_damping(result);
+  add_damping(fit, result);
   return result;
 }
 
