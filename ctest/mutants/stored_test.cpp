@@ -19,7 +19,7 @@
 #include "small_map.hpp"
 #include "small_radiation.hpp"
 #include "stored_readers.hpp"
-#include "voice_checksum.hpp"
+#include "flat_checksum.hpp"
 
 namespace idiophone::mutants {
 

@@ -39,7 +39,7 @@ class Pit {
       add(side < 2 ? wall_x_ : wall_y_, {x, y, 0.5F}, 0.0);
     }
     for (int i = 0; i < count; ++i) {
-      const engines::MapFacts facts = engines::facts_of(maps[i % maps.size()]);
+      const engines::BodyFacts facts = engines::facts_of(maps[i % maps.size()]);
       const btVector3 half = (to_bullet(facts.high) - to_bullet(facts.low)) / 2;
       btBoxShape& box = boxes_.emplace_back(half + btVector3(0.002F, 0.002F, 0.002F));
       const auto layer = static_cast<float>(i / 16);
@@ -126,7 +126,7 @@ void measure(double& sum, const Work& work) {
 int fall(SNDFILE* file, int count, double seconds, double budget, const std::vector<engines::SharedMap>& maps) {
   std::vector<engines::SharedMap> bodies;
   for (int i = 0; i < count; ++i) bodies.push_back(maps[i % maps.size()]);
-  const engines::MapFacts facts = engines::facts_of(maps.front());
+  const engines::BodyFacts facts = engines::facts_of(maps.front());
   const engines::Surface body{.young = facts.young, .poisson = facts.poisson, .radius = 0.01};
   const engines::Surface wood{.young = 1e10, .radius = 0.1, .height = 1e-5};
   engines::EngineStage stage({.rate = rate,

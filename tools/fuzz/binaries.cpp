@@ -12,7 +12,7 @@
 #include "readers.hpp"
 #include "refusal.hpp"
 #include "triangles.hpp"
-#include "voice_checksum.hpp"
+#include "flat_checksum.hpp"
 
 namespace idiophone::fuzz {
 
