@@ -79,6 +79,13 @@ std::vector<double> played(const std::vector<score::ScoreEvent>& events, std::in
   return voices::rendered(stage, drivers, samples);
 }
 
+/// Of the coarse level of the cube at the full rate, processor time per time of sound.
+double coarse_cost() {
+  proxies::Engine engine({.rate = rate});
+  engine.add({.name = "cube", .levels = cube()->levels});
+  return engine.cost(0, 1, 1) / voices::usual_speed;
+}
+
 /// Two cubes beside a sheet, one of which joins before a step; the sheet and both cubes are struck.
 std::vector<double> sheet_and_cubes(int joins) {
   EngineStage stage(options(), {sheet_map()}, {steel});
@@ -254,7 +261,7 @@ TEST(StageProxies, ABudgetChoosesTheirLevel) {
   EXPECT_GT(fine.proxy_cost, 0.0);
   const StageReport coarse = report_with(fine.proxy_cost);  // of which 85 % are spent
   EXPECT_EQ(coarse.proxies, 1U);
-  EXPECT_LT(coarse.proxy_cost, 0.5 * fine.proxy_cost);
+  EXPECT_DOUBLE_EQ(coarse.proxy_cost, coarse_cost());
   const StageReport none = report_with(0.5 * coarse.proxy_cost);
   EXPECT_EQ(none.proxies, 0U);
   EXPECT_EQ(none.left_out, 1U);
@@ -262,9 +269,9 @@ TEST(StageProxies, ABudgetChoosesTheirLevel) {
 
 /// Maps and proxies share the budget: a map that is heard better leaves no room.
 TEST(StageProxies, ShareTheBudgetWithMaps) {
-  const auto left_out = [](double impulse_on_map) {
+  const auto report_with = [](double budget, double impulse_on_map) {
     StageOptions limited = options();
-    limited.budget = 0.02;
+    limited.budget = budget;
     EngineStage stage(limited, {sheet_map()}, {steel});
     stage.add(cube());
     ContactEvent event = blow();
@@ -272,11 +279,17 @@ TEST(StageProxies, ShareTheBudgetWithMaps) {
     stage.contact(event);
     heard(stage, 3);
     stage.contact(tap(1));
-    heard(stage, 3);
-    return stage.report().left_out;
+    stage.step(duration);
+    return stage.report();
   };
-  EXPECT_EQ(left_out(0.0), 0U);
-  EXPECT_EQ(left_out(1e3), 1U);
+  const StageReport all = report_with(1e9, 1e3);
+  EXPECT_EQ(all.proxies, 1U);
+  const double budget = (0.5 * all.cost + coarse_cost()) / 0.85;
+  EXPECT_EQ(report_with(budget, 0.0).proxies, 1U);
+  const StageReport shared = report_with(budget, 1e3);
+  EXPECT_GT(shared.heard, 0U);
+  EXPECT_EQ(shared.proxies, 0U);
+  EXPECT_EQ(shared.left_out, 1U);
 }
 
 TEST(StageProxies, OnlyTheLoudestOfManySound) {
