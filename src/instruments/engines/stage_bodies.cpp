@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "ears.hpp"
 #include "map_loudness.hpp"
 #include "stage_checks.hpp"
+#include "stage_ears.hpp"
 
 namespace idiophone::engines {
 

@@ -5,10 +5,10 @@
 #include <stdexcept>
 #include <utility>
 
-#include "ears.hpp"
 #include "idiophone/instruments/proxies/proxy_file.hpp"
 #include "idiophone/instruments/voices/map_detail.hpp"
 #include "stage_checks.hpp"
+#include "stage_ears.hpp"
 
 namespace idiophone::engines {
 
@@ -71,7 +71,7 @@ void StageProxies::add(std::size_t number, const proxies::StoredBody& proxy, std
   if (!voices_) {
     begin(sample);
   }
-  auto motion = std::make_shared<BodyMotion>();
+  auto motion = std::make_shared<ProxyMotion>();
   const auto track = [motion, rate = options_.rate](double time) { return motion->at(std::llround(time * rate)); };
   const std::size_t voice = accepted([&] {
     return voices_->add({.name = proxy.name, .levels = proxy.levels},

@@ -9,10 +9,10 @@
 #include <span>
 #include <vector>
 
-#include "body_motion.hpp"
 #include "idiophone/instruments/engines/engine_stage.hpp"
 #include "idiophone/instruments/touching/contact_sounds.hpp"
 #include "idiophone/instruments/voices/proxy_voices.hpp"
+#include "proxy_motion.hpp"
 #include "ready_sound.hpp"
 
 namespace idiophone::engines {
@@ -66,7 +66,7 @@ class StageProxies {
   struct Body {
     std::optional<std::size_t> voice{};       ///< its number in the voices
     bool leaves = false;                      ///< it fades
-    std::shared_ptr<BodyMotion> motion{};     ///< in samples of the voices
+    std::shared_ptr<ProxyMotion> motion{};    ///< in samples of the voices
     std::optional<Eigen::Isometry3d> goal{};  ///< for the next step
     Eigen::Isometry3d to_body = Eigen::Isometry3d::Identity();
   };

@@ -10,7 +10,7 @@
 namespace idiophone::engines {
 
 /// Evenly from one pose to the next. Poses lead from the coordinates of the body to those of the world.
-class BodyMotion {
+class ProxyMotion {
  public:
   /// @param start   audio sample
   /// @param length  audio samples, at least 1
