@@ -332,6 +332,22 @@ TEST(StageProxies, ALateStepMakesAPauseWithoutAClick) {
   EXPECT_LT(difference, 1e-6 * peak(expected)) << "what rang goes on where it was";
 }
 
+/// As in a game that plays on behind its menu.
+TEST(StageProxies, AFirstOneJoinsAfterALongPause) {
+  EngineStage stage(options(), {sheet_map()}, {steel});
+  std::vector<double> silence(10 * rate);
+  stage.render(silence);
+  const std::size_t body = stage.add(cube());
+  stage.render(silence);
+  heard(stage);
+  stage.contact(tap(body));
+  const std::vector<double> found = heard(stage, 5);
+  EngineStage other(options(), {}, {steel});
+  other.add(cube());
+  other.contact(tap());
+  EXPECT_EQ(found, heard(other, 5));
+}
+
 TEST(StageProxies, SoundWithLatencyWhileAnotherThreadRenders) {
   EngineStage stage(options(0.05), {sheet_map()}, {steel});
   std::atomic<bool> ends = false, sounds = false;

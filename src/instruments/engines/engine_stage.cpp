@@ -162,7 +162,8 @@ std::size_t EngineStage::add(const SharedMap& map) {
 std::size_t EngineStage::add(const SharedProxy& proxy) {
   require(proxy != nullptr, "a body has no proxy");
   const std::size_t body = parts_->free_number();
-  parts_->proxies.add(body, *proxy, std::llround(parts_->clock));
+  const std::int64_t rendered = parts_->rendered.load(std::memory_order_acquire);
+  parts_->proxies.add(body, *proxy, std::max<std::int64_t>(rendered, std::llround(parts_->clock)));
   parts_->sounds.join(body, facts_of(proxy).mass);
   return body;
 }

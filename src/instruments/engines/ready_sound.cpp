@@ -19,7 +19,7 @@ void ReadySound::put(std::span<const double> sound) {
   for (; !sound.empty(); sound = sound.subspan(channels_)) {
     Frame frame{};
     std::copy_n(sound.begin(), channels_, frame.begin());
-    require(ring_.put(frame), "there is no room for more sound that is ready");
+    ring_.put(frame);
   }
 }
 
@@ -54,13 +54,17 @@ void ReadySound::take_next(std::span<double> frame) {
   ++next_;
 }
 
+/// Silence has nothing to fall.
 void ReadySound::pause() {
-  if (gain_ > 0.0 && last_ != Frame{}) {
+  delay_.fetch_add(1, std::memory_order_release);
+  if (last_ == Frame{}) {
+    return;
+  }
+  if (gain_ > 0.0) {
     gaps_.fetch_add(1, std::memory_order_release);
   }
   gain_ = 0.0;
   rest_ = last_;
-  delay_.fetch_add(1, std::memory_order_release);
 }
 
 }  // namespace idiophone::engines

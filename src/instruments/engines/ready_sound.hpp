@@ -21,7 +21,10 @@ class ReadySound {
 
   // The part of the thread that computes.
 
-  /// The next samples, [frames x channels]. @throws std::runtime_error when there is no room
+  /// Frames that there is room for.
+  [[nodiscard]] std::int64_t room() const { return static_cast<std::int64_t>(ring_.room()); }
+
+  /// The next samples, [frames x channels], for which there is room.
   void put(std::span<const double> sound);
 
   /// Audio samples that all pauses took so far: what is put now is heard so much later.

@@ -145,7 +145,7 @@ void StageProxies::compute_until(std::int64_t sample) {
   if (!voices_) {
     return;
   }
-  for (std::int64_t left = sample - origin() - computed_; left > 0;) {
+  for (std::int64_t left = std::min(sample - origin() - computed_, ready_->room()); left > 0;) {
     const std::int64_t samples = std::min(left, interval);
     block_.assign(static_cast<std::size_t>(samples) * ears_.size(), 0.0);
     voices_->render(block_, 0);
