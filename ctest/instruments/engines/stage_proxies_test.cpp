@@ -184,7 +184,32 @@ TEST(StageProxies, AreHeardFromWhereTheyAre) {
   EXPECT_LT(difference, 1e-9 * peak(expected));
 }
 
-TEST(StageProxies, ScrapeWithoutClicks) {
+/// As above, also if it is put there in the step in which it is struck.
+TEST(StageProxies, AreHeardAtOnceFromWhereTheyArePut) {
+  const auto sound_of = [](int placed) {
+    EngineStage stage(options(), {}, {steel});
+    stage.add(cube());
+    std::vector<double> sound;
+    for (int step = 0; step < 6; ++step) {
+      if (step == placed) {
+        stage.place(0, {.position = {0.2, -0.5, 1.0}, .turn = {0.3, 0.5, 0.1, 0.8}});
+      }
+      if (step == 1) {
+        ContactEvent event = tap();
+        event.point = {0.25, -0.45, 1.05};
+        event.moment = 0.0;
+        stage.contact(event);
+      }
+      append(sound, heard(stage));
+    }
+    return sound;
+  };
+  const std::vector<double> expected = sound_of(0);
+  EXPECT_GT(peak(expected), 1e-3);
+  EXPECT_EQ(sound_of(1), expected);
+}
+
+TEST(StageProxies, Scrape) {
   EngineStage stage(options(), {}, {steel});
   stage.add(cube());
   std::vector<double> sound;

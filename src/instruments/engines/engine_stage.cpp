@@ -69,7 +69,7 @@ class EngineStage::Parts {
   /// The lowest.
   [[nodiscard]] std::size_t free_number() const {
     std::size_t number = 0;
-    while (!bodies.is_free(number) || !proxies.is_free(number)) {
+    while (!bodies.is_free(number) || proxies.has(number)) {
       ++number;
     }
     return number;

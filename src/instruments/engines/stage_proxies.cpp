@@ -64,6 +64,7 @@ void StageProxies::begin(std::int64_t sample) {
   block_.assign(static_cast<std::size_t>(sample % interval) * ears_.size(), 0.0);
   voices_->render(block_, 0);
   computed_ = sample % interval;
+  ears_moved_ = false;
   played_.store(ready_.get(), std::memory_order_release);
 }
 
@@ -82,8 +83,8 @@ void StageProxies::add(std::size_t number, const proxies::StoredBody& proxy, std
 }
 
 void StageProxies::remove(std::size_t number) {
-  voices_->remove(*bodies_[number].voice);
-  bodies_[number].leaves = true;
+  voices_->remove(bodies_[number].voice);
+  bodies_[number] = {};
 }
 
 void StageProxies::place(std::size_t number, const Pose& pose) {
@@ -91,25 +92,25 @@ void StageProxies::place(std::size_t number, const Pose& pose) {
 }
 
 void StageProxies::listen(std::vector<Vector3> ears) {
+  ears_moved_ = ears_moved_ || ears != ears_;
   ears_ = std::move(ears);
-  ears_moved_ = true;
 }
 
 void StageProxies::require_tunable(std::size_t number, const score::Tuning& tuning) const {
-  accepted([&] { voices_->require_tunable(*bodies_[number].voice, tuning); });
+  accepted([&] { voices_->require_tunable(bodies_[number].voice, tuning); });
 }
 
 void StageProxies::tune(std::size_t number, const score::Tuning& tuning, std::int64_t start) {
-  voices_->tune(*bodies_[number].voice, tuning, start - origin());
+  voices_->tune(bodies_[number].voice, tuning, start - origin());
 }
 
 /// A body that does not sound is there at once.
 void StageProxies::move(Body& body, std::int64_t start, std::int64_t length) {
-  if (voices_->sounds(*body.voice)) {
+  if (voices_->sounds(body.voice)) {
     body.motion->go(*body.goal, start, length);
   } else {
     body.motion->jump(*body.goal);
-    voices_->jump(*body.voice);
+    voices_->jump(body.voice);
   }
   body.to_body = body.goal->inverse();
   body.goal.reset();
@@ -124,7 +125,7 @@ void StageProxies::send(std::span<const touching::ContactForce> forces, std::int
     voices_->hear_at({.start = start - first, .length = duration, .points = points_at(ears_)});
   }
   for (Body& body : bodies_) {
-    if (body.goal && !body.leaves) {
+    if (body.goal) {
       move(body, start - first, duration);
     }
   }
@@ -135,7 +136,7 @@ void StageProxies::send(std::span<const touching::ContactForce> forces, std::int
         resonators::PointForce own = in_body(bodies_[number].to_body, force.force);
         own.direction *= side == 0 ? 1.0 : -1.0;
         own.start -= first;
-        voices_->excite(*bodies_[number].voice, {.forces = {std::move(own)}, .strength = {}}, 0);
+        voices_->excite(bodies_[number].voice, {.forces = {std::move(own)}, .strength = {}}, 0);
       }
     }
   }
@@ -155,11 +156,6 @@ void StageProxies::compute_until(std::int64_t sample) {
   }
   for (const proxies::Choice& choice : voices_->take_choices()) {
     left_out_ += choice.kind == proxies::Choice::Kind::refuse ? 1 : 0;
-  }
-  for (Body& body : bodies_) {
-    if (body.leaves && !voices_->sounds(*body.voice)) {
-      body = {};
-    }
   }
 }
 

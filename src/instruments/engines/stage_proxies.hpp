@@ -27,9 +27,7 @@ class StageProxies {
 
   // The part of the thread of the game.
 
-  [[nodiscard]] bool has(std::size_t number) const { return !is_free(number) && !bodies_[number].leaves; }
-  /// Whether no body has this number, or fades with it.
-  [[nodiscard]] bool is_free(std::size_t number) const { return number >= size() || !bodies_[number].voice; }
+  [[nodiscard]] bool has(std::size_t number) const { return number < size() && bodies_[number].motion; }
   /// Numbers that bodies have or had.
   [[nodiscard]] std::size_t size() const { return bodies_.size(); }
 
@@ -37,7 +35,7 @@ class StageProxies {
   /// @param sample  audio sample from which on sound is computed next
   /// @throws std::runtime_error when its springs are too fast for the rate
   void add(std::size_t number, const proxies::StoredBody& proxy, std::int64_t sample);
-  /// It fades, and its number is free then.
+  /// It fades, and its number is free at once.
   void remove(std::size_t number);
 
   void place(std::size_t number, const Pose& pose);
@@ -64,9 +62,8 @@ class StageProxies {
 
  private:
   struct Body {
-    std::optional<std::size_t> voice{};       ///< its number in the voices
-    bool leaves = false;                      ///< it fades
-    std::shared_ptr<ProxyMotion> motion{};    ///< in samples of the voices
+    std::size_t voice = 0;                    ///< its number in the voices
+    std::shared_ptr<ProxyMotion> motion{};    ///< in samples of the voices; null: no body has the number
     std::optional<Eigen::Isometry3d> goal{};  ///< for the next step
     Eigen::Isometry3d to_body = Eigen::Isometry3d::Identity();
   };
