@@ -111,7 +111,7 @@ class Install(program.TestCase):
         self.assertGreater(float(power[1]), 0)
         self.assertGreater(float(power[2]), 2 * float(power[1]), "the proxy sounds, too")
         bodies = self.build_example("many_bodies")
-        said = self.call(bodies, self.output / "pit.wav", "6", "2", "1", voice).splitlines()
+        said = self.call(bodies, self.output / "pit.wav", "6", "2", "2", voice, proxy).splitlines()
         self.assertEqual(len(said), 3)
         impacts, left_out = map(int, said[-1].split()[-2:])
         self.assertGreater(impacts, 5)

@@ -1,6 +1,7 @@
 #pragma once
 // The ears of a stage, as voices know their listener.
 
+#include <utility>
 #include <vector>
 
 #include "idiophone/instruments/voices/audience.hpp"

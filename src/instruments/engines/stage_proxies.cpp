@@ -6,7 +6,9 @@
 #include <utility>
 
 #include "idiophone/instruments/proxies/proxy_file.hpp"
+#include "idiophone/instruments/touching/vectors.hpp"
 #include "idiophone/instruments/voices/map_detail.hpp"
+#include "moving_body.hpp"
 #include "stage_checks.hpp"
 #include "stage_ears.hpp"
 
@@ -34,9 +36,9 @@ Eigen::Isometry3d isometry_of(const Pose& pose) {
 
 }  // namespace
 
-StageProxies::StageProxies(std::vector<Vector3> ears, const StageOptions& options, double budget,
+StageProxies::StageProxies(std::vector<Vector3> ears, StageOptions options, double budget,
                            std::shared_ptr<voices::SharedBudget> shared)
-    : options_(options), budget_(budget), shared_(std::move(shared)), ears_(std::move(ears)) {}
+    : options_(std::move(options)), budget_(budget), shared_(std::move(shared)), ears_(std::move(ears)) {}
 
 /// Their samples begin at a multiple of the interval of the stage's, so that whoever joins sounds as if it had been
 /// there from the start.

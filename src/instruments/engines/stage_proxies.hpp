@@ -22,7 +22,7 @@ class StageProxies {
   /// @param ears    [channels] at first, m
   /// @param budget  processor time per time of sound, as the maps have it
   /// @param shared  this budget, with the maps; null if it has no limit
-  StageProxies(std::vector<Vector3> ears, const StageOptions& options, double budget,
+  StageProxies(std::vector<Vector3> ears, StageOptions options, double budget,
                std::shared_ptr<voices::SharedBudget> shared);
 
   // The part of the thread of the game.
