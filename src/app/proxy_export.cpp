@@ -3,6 +3,7 @@
 #include "idiophone/instruments/proxies/proxy_file.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
 #include "idiophone/scene/find_body.hpp"
+#include "shared_options.hpp"
 #include "stage_options.hpp"
 
 namespace idiophone::app {

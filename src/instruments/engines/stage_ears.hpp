@@ -11,6 +11,7 @@ namespace idiophone::engines {
 /// @param ears  places, m
 [[nodiscard]] inline std::vector<voices::HearingPoint> points_at(const std::vector<Vector3>& ears) {
   std::vector<voices::HearingPoint> points;
+  points.reserve(ears.size());
   for (const Vector3& ear : ears) {
     points.push_back({.position = ear});
   }
@@ -19,6 +20,7 @@ namespace idiophone::engines {
 
 [[nodiscard]] inline voices::Audience audience_at(const std::vector<Vector3>& ears) {
   scene::Listener listener;
+  listener.receivers.reserve(ears.size());
   for (const Vector3& ear : ears) {
     listener.receivers.push_back({.channel = "ear", .position = ear});
   }
