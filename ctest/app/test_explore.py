@@ -104,6 +104,13 @@ class Explore(program.TestCase):
         self.require_status(job, program.FINISHED)
         self.require_alike(wav, numpy.array(self.seen["proxy"][0]))
 
+    def test_options_of_proxies_need_proxies(self):
+        for option in (("--springs", "fitted"), ("--levels", 2), ("--set", "time.duration=1")):
+            job = program.idiophone("explore", self.map, "-o", self.output / "page.html", *option)
+            self.assertNotEqual(job.returncode, program.FINISHED)
+            self.assertIn(f"{option[0]} requires --proxies", job.stderr)
+            self.assertFalse((self.output / "page.html").exists())
+
     def test_maps_of_different_decks_are_refused(self):
         job = program.idiophone("map", program.deck("simple"), "--modes", 2, "--output-folder", self.output,
                                 "--set", "listeners.ear.position=[0, 0, 0.5]")

@@ -311,6 +311,36 @@ class Proxies(Rendered):
                                       status=program.WRONG_DECK), r"pin masses in all directions")
 
 
+class Exported(program.TestCase):
+    """`export --proxy`: a proxy for engines. What engines hear is tested in ctest/instruments/engines."""
+
+    def export(self, *arguments, status=program.FINISHED):
+        job = program.idiophone("export", program.deck("simple"), *arguments)
+        self.require_status(job, status)
+        return job.stdout + job.stderr
+
+    def test_writes_a_flat_file_with_all_levels(self):
+        sizes = []
+        for levels in (1, 2):
+            self.export("--proxy", self.output / "plate.proxy", "--body", "plate", "--levels", levels)
+            data = (self.output / "plate.proxy").read_bytes()
+            self.assertEqual(data[:20], b"IDIOPHONE PROXY\n\1\0\0\0")
+            self.assertEqual(data[28:49], b"\5\0\0\0\0\0\0\0plate" + bytes([levels]) + bytes(7))
+            sizes.append(len(data))
+        self.assertGreater(sizes[1], 1.05 * sizes[0])
+        self.export("--proxy", self.output / "stiff.proxy", "--set", "materials.rubber.young=1e7")
+        self.assertNotEqual((self.output / "stiff.proxy").read_bytes(), data)
+
+    def test_refuses_what_is_wrong(self):
+        proxy = self.output / "plate.proxy"
+        self.assertIn("plate", self.export("--proxy", proxy, "--body", "bell", status=program.FAILED))
+        self.assertIn("do not go with it", self.export("--proxy", proxy, "--voice", self.output / "plate.voice", status=program.FAILED))
+        job = program.idiophone("export", program.deck("simple"), "--voice", proxy, "--levels", 2)
+        self.assertNotEqual(job.returncode, program.FINISHED)
+        self.assertIn("--levels requires --proxy", job.stderr)
+        self.assertFalse(proxy.exists())
+
+
 @unittest.skipIf(shutil.which("jackd") is None, "needs jackd")
 class RealTime(program.TestCase):
     def test_plays_a_score_to_its_end_and_counts_gaps(self):

@@ -5,11 +5,13 @@
 #include <nlohmann/json.hpp>
 
 #include "fixture.hpp"
+#include "flat_checksum.hpp"
 #include "hash.hpp"
 #include "hdf5_mutations.hpp"
 #include "idiophone/air/harmonic/radiation_file.hpp"
 #include "idiophone/foundation/deck/tree.hpp"
 #include "idiophone/foundation/text_file.hpp"
+#include "idiophone/instruments/proxies/proxy_file.hpp"
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/instruments/sound_maps/voice_file.hpp"
 #include "idiophone/run/results/surface_motion_file.hpp"
@@ -19,7 +21,6 @@
 #include "small_map.hpp"
 #include "small_radiation.hpp"
 #include "stored_readers.hpp"
-#include "voice_checksum.hpp"
 
 namespace idiophone::mutants {
 
@@ -125,22 +126,35 @@ TEST_F(Stored, SoundMap) {
   expect_stored("sound_map_info", map, describe);
 }
 
-TEST_F(Stored, Voice) {
-  const File voice = folder / "plate.voice";
-  write_text(voice, sound_maps::voice_file(sound_maps::small_map()));
-  const auto read = [](const File& file) { static_cast<void>(sound_maps::read_voice(file)); };
-  expect_answers({.type = "voice", .originals = {voice}, .mutate = mutate_bytes, .read = read});
-  // With a right checksum: what the contents say is not believed either.
-  const auto mutate_contents = [](const File& file, Random& random) {
+/// A flat file, also with a right checksum: what the contents say is not believed either.
+void expect_flat(const std::string& type, const File& flat, const std::function<void(const File&)>& read) {
+  expect_answers({.type = type, .originals = {flat}, .mutate = mutate_bytes, .read = read});
+  const auto mutate_contents = [original = deck::read_text(flat)](const File& file, Random& random) {
     mutate_bytes(file, random);
     std::string bytes = deck::read_text(file);
     constexpr std::size_t head = 20;  // the magic and the version
     if (bytes.size() > head) {
-      bytes.replace(0, head, deck::read_text(file.parent_path() / "plate.voice"), 0, head);
+      bytes.replace(0, head, original, 0, head);
     }
     write_text(file, with_right_checksum(bytes));
   };
-  expect_answers({.type = "voice_contents", .originals = {voice}, .mutate = mutate_contents, .read = read});
+  expect_answers({.type = type + "_contents", .originals = {flat}, .mutate = mutate_contents, .read = read});
+}
+
+TEST_F(Stored, Voice) {
+  write_text(folder / "plate.voice", sound_maps::voice_file(sound_maps::small_map()));
+  expect_flat("voice", folder / "plate.voice",
+              [](const File& file) { static_cast<void>(sound_maps::read_voice(file)); });
+}
+
+TEST_F(Stored, Proxy) {
+  const auto lattice = [](int cells) {
+    return std::make_shared<const proxies::Lattice>(
+        proxies::grid_mesh({cells, cells, 1}, [](const Vector3& at) { return Vector3(0.1 * at); }),
+        proxies::Material{.young = 1e6, .density = 1000.0, .damping = {.mass = 5.0, .stiffness = 1e-5}});
+  };
+  write_text(folder / "plate.proxy", proxies::proxy_file({.name = "plate", .levels = {lattice(2), lattice(1)}}));
+  expect_flat("proxy", folder / "plate.proxy", [](const File& file) { static_cast<void>(proxies::read_proxy(file)); });
 }
 
 TEST_F(Stored, Radiation) {

@@ -1,5 +1,6 @@
-// many_bodies FILE.wav BODIES SECONDS BUDGET MAP.voice...: bodies fall into a pit. Bullet moves them as boxes with 60
-// steps per second. Each second, a row of numbers says what is heard and what it costs.
+// many_bodies FILE.wav BODIES SECONDS BUDGET FILE.voice|FILE.proxy...: bodies with sound maps or proxies fall into a
+// pit. Bullet moves them as boxes with 60 steps per second. Each second, a row of numbers says what is heard and what
+// it costs.
 
 #include <btBulletDynamicsCommon.h>
 #include <sndfile.h>
@@ -12,6 +13,7 @@
 #include <ctime>
 #include <deque>
 #include <memory>
+#include <variant>
 
 #include "idiophone/instruments/engines/engine_stage.hpp"
 
@@ -20,6 +22,18 @@ using engines::ContactEvent;
 
 constexpr int rate = 48000, steps_per_second = 60, frames = rate / steps_per_second, channels = 2;
 constexpr double full_scale = 20.0;  // Pa, that becomes 1.0 in the file
+
+/// How a body sounds.
+using Sound = std::variant<engines::SharedMap, engines::SharedProxy>;
+
+Sound read_sound(const std::filesystem::path& file) {
+  if (file.extension() == ".proxy") return engines::read_proxy(file);
+  return engines::read_map(file);
+}
+
+engines::BodyFacts facts_of(const Sound& sound) {
+  return std::visit([](const auto& one) { return engines::facts_of(one); }, sound);
+}
 
 engines::Triple from_bullet(const btVector3& v) {
   return {v.x(), v.y(), v.z()};
@@ -31,7 +45,7 @@ btVector3 to_bullet(const engines::Triple& v) {
 
 class Pit {
  public:
-  Pit(const std::vector<engines::SharedMap>& maps, int count) {
+  Pit(const std::vector<Sound>& sounds, int count) {
     dynamics_.setGravity({0, 0, -9.81F});
     add(ground_, {0, 0, -0.1F}, 0.0);
     for (int side = 0; side < 4; ++side) {
@@ -39,7 +53,7 @@ class Pit {
       add(side < 2 ? wall_x_ : wall_y_, {x, y, 0.5F}, 0.0);
     }
     for (int i = 0; i < count; ++i) {
-      const engines::MapFacts facts = engines::facts_of(maps[i % maps.size()]);
+      const engines::BodyFacts facts = facts_of(sounds[i % sounds.size()]);
       const btVector3 half = (to_bullet(facts.high) - to_bullet(facts.low)) / 2;
       btBoxShape& box = boxes_.emplace_back(half + btVector3(0.002F, 0.002F, 0.002F));
       const auto layer = static_cast<float>(i / 16);
@@ -123,10 +137,8 @@ void measure(double& sum, const Work& work) {
   sum += static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
 
-int fall(SNDFILE* file, int count, double seconds, double budget, const std::vector<engines::SharedMap>& maps) {
-  std::vector<engines::SharedMap> bodies;
-  for (int i = 0; i < count; ++i) bodies.push_back(maps[i % maps.size()]);
-  const engines::MapFacts facts = engines::facts_of(maps.front());
+int fall(SNDFILE* file, int count, double seconds, double budget, const std::vector<Sound>& sounds) {
+  const engines::BodyFacts facts = facts_of(sounds.front());
   const engines::Surface body{.young = facts.young, .poisson = facts.poisson, .radius = 0.01};
   const engines::Surface wood{.young = 1e10, .radius = 0.1, .height = 1e-5};
   engines::EngineStage stage({.rate = rate,
@@ -134,8 +146,11 @@ int fall(SNDFILE* file, int count, double seconds, double budget, const std::vec
                               .latency = 0,
                               .budget = budget,
                               .speed = engines::measured_speed()},
-                             bodies, {body, wood});
-  Pit pit(maps, count);
+                             {}, {body, wood});
+  for (int i = 0; i < count; ++i) {
+    std::visit([&](const auto& one) { stage.add(one); }, sounds[i % sounds.size()]);
+  }
+  Pit pit(sounds, count);
   std::vector<float> sound(frames * channels);
   double bullet = 0.0, control = 0.0, audio = 0.0;
   std::printf("second  sounding  heard/modes  cost  render  step  Bullet  loss/dB  strokes  impacts  left out\n");
@@ -147,8 +162,9 @@ int fall(SNDFILE* file, int count, double seconds, double budget, const std::vec
     if (step % steps_per_second == 0) {
       const engines::StageReport report = stage.report();
       std::printf("%6d  %8zu  %5zu/%5zu  %4.2f  %6.2f  %4.2f  %6.2f  %7.1f  %7zu  %7ju  %8ju\n",
-                  step / steps_per_second, report.sounding, report.heard, report.modes, report.cost, audio, control,
-                  bullet, 10.0 * std::log10(std::max(report.loss, 1e-12)), report.strokes,
+                  step / steps_per_second, report.sounding + report.proxies, report.heard, report.modes,
+                  report.cost + report.proxy_cost, audio, control, bullet,
+                  10.0 * std::log10(std::max(report.loss, 1e-12)), report.strokes,
                   static_cast<std::uintmax_t>(report.impacts), static_cast<std::uintmax_t>(report.left_out));
       bullet = control = audio = 0.0;
     }
@@ -158,7 +174,7 @@ int fall(SNDFILE* file, int count, double seconds, double budget, const std::vec
 
 int main(int count, char** arguments) {
   if (count < 6) {
-    std::fprintf(stderr, "usage: many_bodies FILE.wav BODIES SECONDS BUDGET MAP.voice...\n");
+    std::fprintf(stderr, "usage: many_bodies FILE.wav BODIES SECONDS BUDGET FILE.voice|FILE.proxy...\n");
     return 1;
   }
   SF_INFO format{.frames = 0,
@@ -173,9 +189,9 @@ int main(int count, char** arguments) {
     return 1;
   }
   try {
-    std::vector<engines::SharedMap> maps;
-    for (int i = 5; i < count; ++i) maps.push_back(engines::read_map(std::filesystem::path(arguments[i])));
-    return fall(file.get(), std::atoi(arguments[2]), std::atof(arguments[3]), std::atof(arguments[4]), maps);
+    std::vector<Sound> sounds;
+    for (int i = 5; i < count; ++i) sounds.push_back(read_sound(arguments[i]));
+    return fall(file.get(), std::atoi(arguments[2]), std::atof(arguments[3]), std::atof(arguments[4]), sounds);
   } catch (const std::exception& error) {
     std::fprintf(stderr, "%s\n", error.what());
     return 1;

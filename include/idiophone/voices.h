@@ -23,7 +23,7 @@ extern "C" {
 typedef int32_t idiophone_status;
 #define IDIOPHONE_OK 0
 #define IDIOPHONE_BAD_ARGUMENT 1 /* a null pointer, or a number out of its range */
-#define IDIOPHONE_BAD_FILE 2     /* it can't be read, is damaged, or is no voice file */
+#define IDIOPHONE_BAD_FILE 2     /* it can't be read, is damaged, or is no voice or proxy file */
 #define IDIOPHONE_NO_MEMORY 3
 
 #define IDIOPHONE_NOBODY (-1)
@@ -31,6 +31,7 @@ typedef int32_t idiophone_status;
 typedef enum { IDIOPHONE_BEGIN = 0, IDIOPHONE_PERSIST = 1, IDIOPHONE_END = 2 } idiophone_phase;
 
 typedef struct idiophone_map idiophone_map;     /* a sound map that bodies share */
+typedef struct idiophone_proxy idiophone_proxy; /* a mass-spring proxy that bodies share */
 typedef struct idiophone_stage idiophone_stage; /* bodies that sound together */
 
 typedef struct {
@@ -47,7 +48,9 @@ typedef struct {
   int32_t ear_count;    /* 1 to 4; the channels */
   int32_t rate;         /* audio samples per second */
   int32_t most_strokes; /* that scrape or roll at once */
-  int32_t reserved;     /* 0 */
+  int32_t most_proxies; /* that may sound at once; 0: 8 */
+  double air_density;   /* around proxies, kg/m3; 0: 1.204 */
+  double air_speed;     /* of sound around proxies, m/s; 0: 343 */
 } idiophone_options;
 
 typedef struct {
@@ -66,10 +69,13 @@ typedef struct {
 } idiophone_contact;
 
 typedef struct {
-  uint64_t sounding, modes, heard; /* bodies; modes of these; those that are heard: with a budget only */
+  uint64_t sounding, modes, heard; /* bodies with maps; modes of these; those that are heard: with a budget only */
   uint64_t strokes, impacts, left_out;
-  double cost; /* processor time per time of sound, as it is estimated: with a budget only */
-  double loss; /* share of the power that is left out: with a budget only */
+  double cost;       /* processor time per time of sound, as it is estimated: with a budget only */
+  double loss;       /* share of the power that is left out: with a budget only */
+  uint64_t proxies;  /* that sound */
+  double proxy_cost; /* of these, processor time per time of sound, as it is estimated */
+  uint64_t gaps;     /* times when proxies fell silent because idiophone_stage_step() was late */
 } idiophone_report;
 
 /* Why the last function that failed in this thread did so; never null. Valid until the next one fails. */
@@ -84,6 +90,12 @@ IDIOPHONE_API idiophone_status idiophone_map_from_bytes(const void* bytes, uint6
 /* A stage keeps what it needs of its maps. Null is allowed. */
 IDIOPHONE_API void idiophone_map_free(idiophone_map* map);
 
+IDIOPHONE_API idiophone_status idiophone_proxy_read(const char* file, idiophone_proxy** proxy);
+IDIOPHONE_API idiophone_status idiophone_proxy_from_bytes(const void* bytes, uint64_t size, idiophone_proxy** proxy);
+/* As for maps. */
+IDIOPHONE_API void idiophone_proxy_free(idiophone_proxy* proxy);
+
+/* The list of bodies may be null if it has none. */
 IDIOPHONE_API idiophone_status idiophone_stage_create(const idiophone_options* options,
                                                       const idiophone_map* const* bodies, int32_t body_count,
                                                       const idiophone_surface* surfaces, int32_t surface_count,
@@ -94,11 +106,16 @@ IDIOPHONE_API void idiophone_stage_free(idiophone_stage* stage);
 /* A body joins; body: its number, the lowest that is free. A body that leaves fades without a click after the next
    step; then its number is free. */
 IDIOPHONE_API idiophone_status idiophone_stage_add(idiophone_stage* stage, const idiophone_map* map, int32_t* body);
+IDIOPHONE_API idiophone_status idiophone_stage_add_proxy(idiophone_stage* stage, const idiophone_proxy* proxy,
+                                                         int32_t* body);
 IDIOPHONE_API idiophone_status idiophone_stage_remove(idiophone_stage* stage, int32_t body);
 
 /* position: x, y, z; turn: unit quaternion x, y, z, w */
 IDIOPHONE_API idiophone_status idiophone_stage_place(idiophone_stage* stage, int32_t body, const double* position,
                                                      const double* turn);
+/* Times the stiffness of the springs (of proxies only), the damping by the material, and the lengths. */
+IDIOPHONE_API idiophone_status idiophone_stage_tune(idiophone_stage* stage, int32_t body, double tension,
+                                                    double friction, double size);
 IDIOPHONE_API idiophone_status idiophone_stage_listen(idiophone_stage* stage, const double* ears, int32_t ear_count);
 IDIOPHONE_API idiophone_status idiophone_stage_contact(idiophone_stage* stage, const idiophone_contact* contact);
 IDIOPHONE_API idiophone_status idiophone_stage_step(idiophone_stage* stage, double duration);

@@ -35,6 +35,9 @@ void declare(CLI::App& app, ExploreOptions& options) {
       ->capture_default_str();
   add_springs(app, options.springs);
   add_overrides(app, options.overrides);
+  for (const char* of_proxies : {"--levels", "--springs", "--set"}) {
+    app.get_option(of_proxies)->needs("--proxies");
+  }
 }
 
 /// Of the bodies of the maps, or none.

@@ -1,4 +1,4 @@
-// `idiophone export`: a sound map or a timbre tree in the languages of other programs, and the sound power of a force.
+// `idiophone export`: a sound map, a proxy or a timbre tree for other programs, and the sound power of a force.
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -18,13 +18,14 @@
 #include "idiophone/run/loop/stop.hpp"
 #include "idiophone/timbre/export/tree_faust.hpp"
 #include "map_warnings.hpp"
+#include "proxy_export.hpp"
 
 namespace idiophone::app {
 
 namespace {
 
 struct ExportOptions {
-  std::filesystem::path map;        ///< NAME_BODY.map.h5, or a timbre tree, TREE.tt
+  std::filesystem::path source;     ///< NAME_BODY.map.h5, a timbre tree, TREE.tt, or a deck for a proxy
   std::filesystem::path faust;      ///< to write, if any
   std::filesystem::path gltf;       ///< to write, if any
   std::filesystem::path power;      ///< to write, if any
@@ -33,10 +34,12 @@ struct ExportOptions {
   std::vector<double> direction;    ///< of that force; empty for down
   std::string listener;             ///< who hears it in Faust; empty for the first
   std::vector<double> frequencies;  ///< of the power, Hz; empty for those that show every peak
+  ProxyExport proxy;
 };
 
 void declare(CLI::App& app, ExportOptions& options) {
-  app.add_option("map", options.map, "NAME_BODY.map.h5, of `map`, or a timbre tree, TREE.tt")->required();
+  app.add_option("source", options.source, "NAME_BODY.map.h5, of `map`, a timbre tree, TREE.tt, or a deck for --proxy")
+      ->required();
   app.add_option("--faust", options.faust, "FILE.dsp: a program in Faust, from force to pressure");
   app.add_option("--power", options.power, "FILE.csv: radiated sound power over the frequency of a force of 1 N, W");
   app.add_option("--frequencies", options.frequencies,
@@ -53,6 +56,7 @@ void declare(CLI::App& app, ExportOptions& options) {
   app.add_option("--listener", options.listener, "who hears it in Faust (default: the first)");
   app.add_option("--gltf", options.gltf, "FILE.gltf with the extension KHR_audio_rigid_bodies");
   app.add_option("--voice", options.voice, "FILE.voice: a flat file for the library of voices in engines");
+  declare(app, options.proxy);
 }
 
 /// @param values  three numbers, or none
@@ -77,12 +81,22 @@ void write_and_report(const std::filesystem::path& path, const std::string& text
   spdlog::info("{}: {} bytes", path.string(), text.size());
 }
 
+/// A body of a deck as a proxy.
+int export_proxy(const ExportOptions& options) {
+  if (!options.faust.empty() || !options.gltf.empty() || !options.power.empty() || !options.voice.empty()) {
+    throw std::runtime_error(
+        "--proxy exports a body of a deck; --faust, --gltf, --power and --voice do not go with it");
+  }
+  write_and_report(options.proxy.file, proxy_of_deck(options.source, options.proxy));
+  return loop::exit_finished;
+}
+
 /// A timbre tree as a program in Faust.
 int export_tree(const ExportOptions& options) {
   if (options.faust.empty() || !options.gltf.empty() || !options.power.empty() || !options.voice.empty()) {
     throw std::runtime_error("a timbre tree is exported by --faust FILE.dsp, without --gltf, --power and --voice");
   }
-  write_and_report(options.faust, timbre::faust_program(options.map));
+  write_and_report(options.faust, timbre::faust_program(options.source));
   return loop::exit_finished;
 }
 
@@ -125,18 +139,22 @@ void export_power(const sound_maps::SoundMap& map, const ExportOptions& options)
   write_and_report(options.power, text);
 }
 
-int export_map(const ExportOptions& options) {
-  if (options.map.extension() == ".tt") {
+int export_source(const ExportOptions& options) {
+  if (!options.proxy.file.empty()) {
+    return export_proxy(options);
+  }
+  if (options.source.extension() == ".tt") {
     return export_tree(options);
   }
   if (options.faust.empty() && options.gltf.empty() && options.power.empty() && options.voice.empty()) {
     throw std::runtime_error(
-        "nothing to do: give --faust FILE.dsp, --gltf FILE.gltf, --power FILE.csv or --voice FILE.voice");
+        "nothing to do: give --faust FILE.dsp, --gltf FILE.gltf, --power FILE.csv or --voice FILE.voice; for a deck, "
+        "--proxy FILE.proxy");
   }
   if (options.power.empty() && !options.frequencies.empty()) {
     throw std::runtime_error("--frequencies are those of --power FILE.csv; give both");
   }
-  const sound_maps::SoundMap map = sound_maps::read_sound_map(options.map);
+  const sound_maps::SoundMap map = sound_maps::read_sound_map(options.source);
   if (!options.faust.empty() || !options.gltf.empty() || !options.power.empty()) {
     warn_of_small_vibrations(map, "an export");
   }
@@ -159,8 +177,10 @@ int export_map(const ExportOptions& options) {
 
 Command export_command() {
   return make_command<ExportOptions>(
-      "export", "write a sound map for Faust, as glTF or for engines, its sound power, or a timbre tree for Faust",
-      Ranks::one, declare, export_map);
+      "export",
+      "write a sound map for Faust, as glTF or for engines, its sound power, a proxy for engines, or a timbre tree for "
+      "Faust",
+      Ranks::one, declare, export_source);
 }
 
 }  // namespace idiophone::app

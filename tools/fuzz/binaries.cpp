@@ -2,17 +2,18 @@
 
 #include <algorithm>
 
+#include "flat_checksum.hpp"
 #include "gmsh_extract.hpp"
 #include "head_reader.hpp"
 #include "idiophone/foundation/deck/tree.hpp"
 #include "idiophone/foundation/spectra/sound_file.hpp"
 #include "idiophone/instruments/drivers/midi.hpp"
+#include "idiophone/instruments/proxies/proxy_file.hpp"
 #include "idiophone/instruments/sound_maps/voice_file.hpp"
 #include "osc_packet.hpp"
 #include "readers.hpp"
 #include "refusal.hpp"
 #include "triangles.hpp"
-#include "voice_checksum.hpp"
 
 namespace idiophone::fuzz {
 
@@ -79,6 +80,12 @@ void read_voice(const File& file) {
   static_cast<void>(sound_maps::read_voice(bytes, file.string()));
 }
 
+/// The same of a proxy.
+void read_proxy(const File& file) {
+  const std::string bytes = mutants::with_right_checksum(deck::read_text(file));
+  static_cast<void>(proxies::read_proxy(bytes, file.string()));
+}
+
 /// The triangles of a glTF file.
 void read_model(const File& file) {
   gmsh::clear();
@@ -99,6 +106,7 @@ std::vector<Reader> binary_readers() {
           {"obj", ".obj", read_obj, mutants::mutated_text, false},
           {"model", ".glb", read_model, mutants::mutated_bytes, false},
           {"voice", ".voice", read_voice, mutants::mutated_bytes},
+          {"proxy", ".proxy", read_proxy, mutants::mutated_bytes},
           {"head", ".sofa", mutants::read_head, mutants::mutated_bytes}};
 }
 

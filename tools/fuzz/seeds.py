@@ -97,7 +97,7 @@ LAST_MADE = "velocities.h5"  # of what make_stored() makes
 
 
 def make_stored(made, program, environment):
-    """Makes small HDF5 files of each kind, and a voice."""
+    """Makes small HDF5 files of each kind, a voice and a proxy."""
     deck = HOME / "ctest/app/decks/simple.yaml"
     recorded = ["--set", "output.surface_motion=true", "--set", "output.checkpoint.every_minutes=1e-9",
                 "--set", "time.duration=0.004"]
@@ -109,6 +109,7 @@ def make_stored(made, program, environment):
         call(command, deck, "--output-folder", made, *options)
     call("mesh", deck, "-o", made / "small.mesh.h5")
     call("export", next(made.glob("*.map.h5")), "--voice", made / "small.voice")
+    call("export", deck, "--proxy", made / "small.proxy")
     with h5py.File(made / LAST_MADE, "w") as file:
         file["frequency"], file["position"], file["velocity"] = [800.0], numpy.eye(3), numpy.ones((1, 3, 3, 2))
 

@@ -147,6 +147,30 @@ TEST(EngineStage, EarsMayBeFarAway) {
   EXPECT_GT(largest_step(heard(stage)), 0.0);
 }
 
+/// Twice as long: all modes are an octave lower.
+TEST(EngineStage, ATunedBodySoundsAsInPlayToTheBit) {
+  EngineStage stage(options(), {sheet_map()}, {steel});
+  stage.contact(blow());
+  std::vector<double> found = heard(stage, 10);
+  stage.tune(0, {.friction = 3.0, .size = 2.0});
+  const std::vector<double> later = heard(stage, 20);
+  found.insert(found.end(), later.begin(), later.end());
+
+  score::Score score;
+  score.listener.emplace().receivers = {{.channel = "ear", .position = {0.1, 0.3, 0.8}}};
+  const score::HammerBlow struck{
+      .at = {0.06, 0.03, 0.0}, .direction = -Vector3::UnitZ(), .hammer = touching::impact_of(0.02, 0.01, steel, steel)};
+  score.events = {{.time = 0.25 * duration, .body = 0, .action = struck},
+                  {.time = 10 * duration, .body = 0, .action = score::Tuning{.size = 2.0, .friction = 3.0}}};
+  voices::Performance performance({sound_maps::sheet()}, score, rate);
+  EXPECT_EQ(found, performance.rendered(30 * frames));
+  EXPECT_EQ(support::error_of([&] { stage.tune(0, {.tension = 2.0}); }),
+            "tune: only proxies have a tension; sound maps have size and friction");
+  EXPECT_EQ(support::error_of([&] { stage.tune(0, {.size = 0.0}); }),
+            "a tuning has a tension from 1e-4 to 1e4, a friction from 0 to 1e6 and a size from 0.01 to 100");
+  EXPECT_EQ(support::error_of([&] { stage.tune(1, {}); }), "there is no body 1");
+}
+
 TEST(EngineStage, RefusesWhatIsNotThere) {
   EngineStage stage(options(), {sheet_map()}, {steel});
   const auto refusal = [&](const auto& change) {
@@ -168,7 +192,7 @@ TEST(EngineStage, RefusesWhatIsNotThere) {
   EXPECT_EQ(refusal([](ContactEvent& event) { event.impulse = std::nan(""); }),
             "a contact has a number that is not finite or above 1e6");
   EXPECT_EQ(support::error_of([&] { stage.step(0.0); }), "a step takes 1e-5 to 1 s");
-  EXPECT_EQ(support::error_of([] { EngineStage({}, {}, {steel}); }), "a stage needs a body");
+  EXPECT_EQ(support::error_of([] { EngineStage({}, {}, {}); }), "a stage needs a surface");
 }
 
 }  // namespace idiophone::engines

@@ -113,7 +113,7 @@ TEST(StageJoining, ANumberIsFreeWhenItsBodyHasFaded) {
   EXPECT_EQ(support::error_of([&] { stage.remove(0); }), "there is no body 0");
   EXPECT_EQ(support::error_of([&] { stage.place(0, {}); }), "there is no body 0");
   EXPECT_EQ(support::error_of([&] { stage.contact(blow_at(0)); }), "there is no body 0");
-  EXPECT_EQ(support::error_of([&] { stage.add(nullptr); }), "a body has no map");
+  EXPECT_EQ(support::error_of([&] { stage.add(SharedMap()); }), "a body has no map");
   heard(stage, 5);
   EXPECT_EQ(stage.add(other), 0U);
   stage.contact(blow_at(0));

@@ -1,6 +1,6 @@
 idiophone_test(instruments/engines LINKS idiophone_drivers ${CMAKE_DL_LIBS})
 target_sources(test_engines PRIVATE plugin/strictness.cpp)
-target_include_directories(test_engines PRIVATE plugin ${PROJECT_SOURCE_DIR}/src/instruments/touching)
+target_include_directories(test_engines PRIVATE plugin instruments/proxies ${PROJECT_SOURCE_DIR}/src/instruments/touching)
 
 # As an engine that is written in C sees the library; ctest/app/test_install.py starts it.
 add_executable(voices_in_c instruments/engines/voices_in_c.c)

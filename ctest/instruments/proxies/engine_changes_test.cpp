@@ -36,6 +36,48 @@ void expect_alike(const std::vector<double>& found, const std::vector<double>& e
   EXPECT_LT(std::sqrt(difference / power), 1e-3);
 }
 
+TEST(Engine, ARemovedBodyFadesAndItsNumberIsUsedAgain) {
+  Engine engine({.most_active = 2}), whole({.most_active = 2});
+  for (Engine* one : {&engine, &whole}) {
+    one->add(cube("first"));
+    one->add(tap(0, 0));
+    one->add(tap(0, 3000));
+  }
+  std::vector<double> sound(1000), expected(1000);
+  engine.render(sound);
+  whole.render(expected);
+  EXPECT_EQ(sound, expected);
+  engine.remove(0);
+  EXPECT_TRUE(engine.sounds(0));
+  EXPECT_EQ(engine.add(cube("second")), 1U) << "the first one has not faded";
+  engine.render(sound);
+  whole.render(expected);
+  EXPECT_NEAR(sound[20], (1.0 - 20.0 / (0.002 * engine_rate)) * expected[20], 1e-12);
+  EXPECT_EQ(std::vector<double>(sound.begin() + 100, sound.end()), std::vector<double>(900, 0.0));
+  EXPECT_FALSE(engine.sounds(0));
+  EXPECT_EQ(engine.add(cube("third")), 0U);
+  EXPECT_EQ(engine.body(0).name, "third");
+  engine.render(sound);
+  engine.render(sound);
+  EXPECT_EQ(sound, std::vector<double>(1000, 0.0)) << "the second blow was meant for the first one";
+  engine.add(tap(0, engine.now()));
+  engine.render(sound);
+  Engine fresh({});
+  fresh.add(cube("third"));
+  fresh.add(tap(0, 0));
+  fresh.render(expected);
+  EXPECT_EQ(sound, expected);
+  EXPECT_THROW(engine.remove(2), std::invalid_argument);
+}
+
+TEST(Engine, WithoutBodiesRendersSilence) {
+  Engine engine({});
+  std::vector<double> sound(300, 1.0);
+  engine.render_each(sound);
+  EXPECT_EQ(sound, std::vector<double>(300, 0.0));
+  EXPECT_EQ(engine.now(), 300);
+}
+
 TEST(Engine, LevelsAndPrioritiesCanBeSet) {
   Engine engine({.significant_distance = 1e-7, .priority = Priority::fixed, .most_active = 1});
   engine.add(cube("first"));

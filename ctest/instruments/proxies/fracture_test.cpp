@@ -327,6 +327,7 @@ TEST(Fracture, PiecesAreStruckInsteadOfTheBody) {
   engine.render(sound);
   other.render(without);
   ASSERT_GE(engine.take_fractures().size(), 1U);
+  EXPECT_THROW(engine.remove(0), std::invalid_argument);
   static_cast<void>(engine.take_choices());
   engine.add(impact(0, engine.now(), {0.3, 0.0, 0.0}, {0.0, 0.0, 1e-3}, 2e-4, 44100));
   engine.render(sound);

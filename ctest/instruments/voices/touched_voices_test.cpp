@@ -155,9 +155,10 @@ TEST(TouchedVoices, LeaveWhileABowRubsThem) {
   voices.render(sound, 0);
   EXPECT_GT(power(sound), 0.0);
   voices.remove(0);
+  EXPECT_FALSE(voices.is_free(0)) << "it has not faded";
   voices.render(sound, 0);
   voices.attend();
-  EXPECT_EQ(voices.add(map, {{.position = {0.1, 0.3, 0.8}}}), 0U) << "its number is free";
+  EXPECT_TRUE(voices.is_free(0));
 }
 
 TEST(TouchedVoices, StayWhereAHeadHearsThem) {
@@ -169,7 +170,7 @@ TEST(TouchedVoices, StayWhereAHeadHearsThem) {
                               .responses = "/usr/share/libmysofa/MIT_KEMAR_normal_pinna.sofa",
                               .where = {}};
   SoundMapVoices voices({map}, Audience(listener, rate), rate);
-  EXPECT_THROW(voices.add(map, {{.position = {0.1, 0.3, 0.8}}}), std::runtime_error);
+  EXPECT_THROW(voices.add(1, map, {{.position = {0.1, 0.3, 0.8}}}), std::runtime_error);
   EXPECT_THROW(voices.remove(0), std::runtime_error);
 }
 

@@ -15,6 +15,9 @@
 struct idiophone_map {
   idiophone::engines::SharedMap map;
 };
+struct idiophone_proxy {
+  idiophone::engines::SharedProxy proxy;
+};
 struct idiophone_stage {
   idiophone::engines::EngineStage stage;
 };
@@ -70,12 +73,6 @@ std::size_t count_of(int32_t count, const char* name) {
   return static_cast<std::size_t>(count);
 }
 
-void require_zero(int32_t reserved) {
-  if (reserved != 0) {
-    throw std::invalid_argument(fmt::format("`reserved` is {}; it has to be 0", reserved));
-  }
-}
-
 Triple triple_at(const double* numbers) {
   return {numbers[0], numbers[1], numbers[2]};
 }
@@ -101,18 +98,17 @@ Surface surface_of(const idiophone_surface& surface) {
 
 StageOptions options_of(const idiophone_options& options) {
   require(options.ears, "`ears` of the options");
-  require_zero(options.reserved);
   StageOptions found{.rate = options.rate,
                      .ears = triples_at(options.ears, count_of(options.ear_count, "`ear_count`")),
                      .latency = options.latency,
                      .most_strokes = count_of(options.most_strokes, "`most_strokes`"),
                      .seed = options.seed};
-  if (options.budget != 0.0) {
-    found.budget = options.budget;
-  }
-  if (options.speed != 0.0) {
-    found.speed = options.speed;
-  }
+  const auto set = [](auto& number, auto wanted) { number = wanted == 0 ? number : wanted; };
+  set(found.budget, options.budget);
+  set(found.speed, options.speed);
+  set(found.most_proxies, count_of(options.most_proxies, "`most_proxies`"));
+  set(found.air_density, options.air_density);
+  set(found.air_speed, options.air_speed);
   return found;
 }
 
@@ -120,7 +116,9 @@ ContactEvent event_of(const idiophone_contact& contact) {
   if (contact.phase < IDIOPHONE_BEGIN || contact.phase > IDIOPHONE_END) {
     throw std::invalid_argument(fmt::format("a contact has the phase {}; there are 0, 1 and 2", contact.phase));
   }
-  require_zero(contact.reserved);
+  if (contact.reserved != 0) {
+    throw std::invalid_argument(fmt::format("`reserved` is {}; it has to be 0", contact.reserved));
+  }
   return {.contact = contact.contact,
           .phase = static_cast<ContactEvent::Phase>(contact.phase),
           .bodies = {contact.bodies[0], contact.bodies[1]},
@@ -172,6 +170,28 @@ void idiophone_map_free(idiophone_map* map) {
   delete map;
 }
 
+idiophone_status idiophone_proxy_read(const char* file, idiophone_proxy** proxy) {
+  return answer(IDIOPHONE_BAD_FILE, [&] {
+    require(file, "the file's name");
+    require(proxy, "the proxy");
+    *proxy = nullptr;
+    *proxy = new idiophone_proxy{read_proxy(std::filesystem::path(file))};
+  });
+}
+
+idiophone_status idiophone_proxy_from_bytes(const void* bytes, uint64_t size, idiophone_proxy** proxy) {
+  return answer(IDIOPHONE_BAD_FILE, [&] {
+    require(bytes, "the bytes");
+    require(proxy, "the proxy");
+    *proxy = nullptr;
+    *proxy = new idiophone_proxy{read_proxy({static_cast<const char*>(bytes), size}, "a proxy in memory")};
+  });
+}
+
+void idiophone_proxy_free(idiophone_proxy* proxy) {
+  delete proxy;
+}
+
 idiophone_status idiophone_stage_create(const idiophone_options* options, const idiophone_map* const* bodies,
                                         int32_t body_count, const idiophone_surface* surfaces, int32_t surface_count,
                                         idiophone_stage** stage) {
@@ -179,7 +199,9 @@ idiophone_status idiophone_stage_create(const idiophone_options* options, const 
     require(stage, "the stage");
     *stage = nullptr;
     require(options, "the options");
-    require(bodies, "the list of bodies");
+    if (body_count != 0) {
+      require(bodies, "the list of bodies");
+    }
     require(surfaces, "the list of surfaces");
     std::vector<SharedMap> maps;
     for (std::size_t i = 0; i < count_of(body_count, "the number of bodies"); ++i) {
@@ -205,6 +227,15 @@ idiophone_status idiophone_stage_add(idiophone_stage* stage, const idiophone_map
   });
 }
 
+idiophone_status idiophone_stage_add_proxy(idiophone_stage* stage, const idiophone_proxy* proxy, int32_t* body) {
+  return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
+    require(stage, "the stage");
+    require(proxy, "the proxy");
+    require(body, "the number of the body");
+    *body = static_cast<int32_t>(stage->stage.add(proxy->proxy));
+  });
+}
+
 idiophone_status idiophone_stage_remove(idiophone_stage* stage, int32_t body) {
   return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
     require(stage, "the stage");
@@ -220,6 +251,15 @@ idiophone_status idiophone_stage_place(idiophone_stage* stage, int32_t body, con
     require(turn, "the turn");
     stage->stage.place(count_of(body, "the number of the body"),
                        {triple_at(position), {turn[0], turn[1], turn[2], turn[3]}});
+  });
+}
+
+idiophone_status idiophone_stage_tune(idiophone_stage* stage, int32_t body, double tension, double friction,
+                                      double size) {
+  return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
+    require(stage, "the stage");
+    stage->stage.tune(count_of(body, "the number of the body"),
+                      {.tension = tension, .friction = friction, .size = size});
   });
 }
 
@@ -258,7 +298,10 @@ idiophone_status idiophone_stage_report(idiophone_stage* stage, idiophone_report
                .impacts = found.impacts,
                .left_out = found.left_out,
                .cost = found.cost,
-               .loss = found.loss};
+               .loss = found.loss,
+               .proxies = found.proxies,
+               .proxy_cost = found.proxy_cost,
+               .gaps = found.gaps};
   });
 }
 

@@ -14,6 +14,7 @@
 #include "idiophone/instruments/touching/vectors.hpp"
 #include "stage_bodies.hpp"
 #include "stage_checks.hpp"
+#include "stage_proxies.hpp"
 
 namespace idiophone::engines {
 
@@ -21,9 +22,19 @@ using touching::ContactForce, touching::ContactSounds, touching::vector_of;
 
 namespace {
 
-constexpr double most_ahead = 0.1;      // s, by which contacts may be ahead of the sound, beside the latency
 constexpr double longest_pause = 0.25;  // s, of the audio thread, after which contacts are left out
 constexpr double shortest_step = 1e-5;  // s
+// Of the budget. The rest is for blows between two choices, and for caches that many bodies share.
+constexpr double share_to_spend = 0.85;
+constexpr std::size_t most_claims = 4096;  // of bodies with maps, and of proxies, to a budget
+
+std::shared_ptr<voices::SharedBudget> shared_budget(double budget) {
+  return std::isfinite(budget) ? std::make_shared<voices::SharedBudget>(most_claims, most_claims) : nullptr;
+}
+
+score::Tuning score_tuning(const Tuning& tuning) {
+  return {.size = tuning.size, .friction = tuning.friction, .tension = tuning.tension};
+}
 
 std::vector<Vector3> vectors_of(std::span<const Triple> ears) {
   check_ears(ears);
@@ -46,12 +57,27 @@ class EngineStage::Parts {
       : options(checked(std::move(stage_options))),
         channels(options.ears.size()),
         surface_count(surfaces.size()),
-        bodies(checked(maps), vectors_of(options.ears), options),
+        shared(shared_budget(options.budget)),
+        bodies(checked(maps), vectors_of(options.ears), options, share_to_spend * options.budget, shared),
+        proxies(vectors_of(options.ears), options, share_to_spend * options.budget, shared),
         sounds(checked(std::move(surfaces)), masses_of(maps), options.rate,
                std::min(options.most_strokes, bodies.most_strokes()), options.seed) {}
 
+  /// Numbers that bodies have or had.
+  [[nodiscard]] std::size_t size() const { return std::max(bodies.size(), proxies.size()); }
+
+  /// The lowest.
+  [[nodiscard]] std::size_t free_number() const {
+    std::size_t number = 0;
+    while (!bodies.is_free(number) || proxies.has(number)) {
+      ++number;
+    }
+    return number;
+  }
+
   void require_body(std::size_t body) const {
-    if (!bodies.has(body) || std::ranges::find(leaving, body) != leaving.end()) {
+    const bool is_there = bodies.has(body) || proxies.has(body);
+    if (!is_there || std::ranges::find(leaving, body) != leaving.end()) {
       throw std::runtime_error(fmt::format("there is no body {}", body));
     }
   }
@@ -74,7 +100,13 @@ class EngineStage::Parts {
   void let_leave() {
     for (const std::size_t body : std::exchange(leaving, {})) {
       sounds.leave(body);
-      bodies.remove(body);
+      proxies.has(body) ? proxies.remove(body) : bodies.remove(body);
+    }
+  }
+
+  void tune() {
+    for (const auto& [body, tuning] : std::exchange(tunings, {})) {
+      proxies.has(body) ? proxies.tune(body, tuning, start) : bodies.tune(body, tuning, start);
     }
   }
 
@@ -92,13 +124,16 @@ class EngineStage::Parts {
   StageOptions options;
   const std::size_t channels;
   std::size_t surface_count;
+  std::shared_ptr<voices::SharedBudget> shared;
   StageBodies bodies;
+  StageProxies proxies;
   ContactSounds sounds;
-  std::vector<ContactEvent> events;  // of the step that follows
-  std::vector<std::size_t> leaving;  // bodies that were removed since the last step
-  double clock = 0.0;                // audio sample at which the next step begins
-  std::int64_t start = 0;            // of the present step
-  double pause = 0.0;                // since the audio thread rendered last, s
+  std::vector<ContactEvent> events;                            // of the step that follows
+  std::vector<std::size_t> leaving;                            // bodies that were removed since the last step
+  std::vector<std::pair<std::size_t, score::Tuning>> tunings;  // of bodies, since the last step
+  double clock = 0.0;                                          // audio sample at which the next step begins
+  std::int64_t start = 0;                                      // of the present step
+  double pause = 0.0;                                          // since the audio thread rendered last, s
   std::int64_t last_played = 0;
   std::uint64_t left_out = 0;
   StageReport last_report;
@@ -118,8 +153,18 @@ std::size_t EngineStage::channels() const {
 
 std::size_t EngineStage::add(const SharedMap& map) {
   require(map != nullptr, "a body has no map");
-  const std::size_t body = parts_->bodies.add(map);
+  const std::size_t body = parts_->free_number();
+  parts_->bodies.add(body, map);
   parts_->sounds.join(body, map->mass);
+  return body;
+}
+
+std::size_t EngineStage::add(const SharedProxy& proxy) {
+  require(proxy != nullptr, "a body has no proxy");
+  const std::size_t body = parts_->free_number();
+  const std::int64_t rendered = parts_->rendered.load(std::memory_order_acquire);
+  parts_->proxies.add(body, *proxy, std::max<std::int64_t>(rendered, std::llround(parts_->clock)));
+  parts_->sounds.join(body, facts_of(proxy).mass);
   return body;
 }
 
@@ -129,18 +174,28 @@ void EngineStage::remove(std::size_t body) {
 }
 
 void EngineStage::place(std::size_t body, const Pose& pose) {
-  check_pose(body, pose, parts_->bodies.size());
+  check_pose(body, pose, parts_->size());
   parts_->require_body(body);
-  parts_->bodies.place(body, pose);
+  parts_->proxies.has(body) ? parts_->proxies.place(body, pose) : parts_->bodies.place(body, pose);
+}
+
+void EngineStage::tune(std::size_t body, const Tuning& tuning) {
+  check_tuning(tuning);
+  parts_->require_body(body);
+  const score::Tuning wanted = score_tuning(tuning);
+  parts_->proxies.has(body) ? parts_->proxies.require_tunable(body, wanted)
+                            : parts_->bodies.require_tunable(body, wanted);
+  parts_->tunings.emplace_back(body, wanted);
 }
 
 void EngineStage::listen(std::span<const Triple> ears) {
   require(ears.size() == channels(), fmt::format("the stage has {} ears, not {}", channels(), ears.size()));
   parts_->bodies.listen(vectors_of(ears));
+  parts_->proxies.listen(vectors_of(ears));
 }
 
 void EngineStage::contact(const ContactEvent& event) {
-  check_event(event, parts_->bodies.size(), parts_->surface_count);
+  check_event(event, parts_->size(), parts_->surface_count);
   for (const std::int32_t body : event.bodies) {
     if (body != ContactEvent::nobody) {
       parts_->require_body(static_cast<std::size_t>(body));
@@ -150,7 +205,7 @@ void EngineStage::contact(const ContactEvent& event) {
 }
 
 void EngineStage::step(double duration) {
-  require(duration >= shortest_step && duration <= 1.0, "a step takes 1e-5 to 1 s");
+  require(duration >= shortest_step && duration <= longest_step, "a step takes 1e-5 to 1 s");
   Parts& parts = *parts_;
   const bool is_heard = parts.keep_time(duration);
   if (!is_heard) {
@@ -158,10 +213,14 @@ void EngineStage::step(double duration) {
   }
   const std::vector<ContactForce> forces = parts.sounds.step(parts.events, parts.start, duration);
   parts.events.clear();
+  parts.tune();
   if (is_heard) {
-    parts.bodies.send(forces, parts.start, std::llround(duration * parts.options.rate));
+    const std::int64_t length = std::llround(duration * parts.options.rate);
+    parts.bodies.send(forces, parts.start, length);
+    parts.proxies.send(forces, parts.start, length);
   }
   parts.let_leave();
+  parts.proxies.compute_until(std::llround(parts.clock));
   parts.note_choices();
 }
 
@@ -171,6 +230,7 @@ StageReport EngineStage::report() {
   report.strokes = parts_->sounds.strokes();
   report.impacts = parts_->sounds.impacts();
   report.left_out = parts_->sounds.left_out() + parts_->bodies.left_out() + parts_->left_out;
+  parts_->proxies.note(report);
   return report;
 }
 
@@ -178,6 +238,7 @@ void EngineStage::render(std::span<double> sound) {
   require(sound.size() % channels() == 0, "a block of sound has to have whole frames of all channels");
   std::ranges::fill(sound, 0.0);
   parts_->bodies.voices().render(sound, 0);
+  parts_->proxies.render(parts_->rendered.load(std::memory_order_relaxed), sound);
   parts_->rendered.fetch_add(static_cast<std::int64_t>(sound.size() / channels()), std::memory_order_release);
 }
 

@@ -23,12 +23,22 @@ MovingBody::MovingBody(const sound_maps::SoundMap& map, double loudness, std::sp
     : centre_(map.centre),
       loudness_(loudness),
       farthest_(0.98 * voices::longest_way * map.air_speed),
+      slowest_(map.decay(0)),
+      rate_(rate),
       known_(ears.begin(), ears.end()) {
-  double slowest = map.decay(0);
   for (std::size_t mode = 1; mode < map.modes(); ++mode) {
-    slowest = std::min(slowest, map.decay(mode));
+    slowest_ = std::min(slowest_, map.decay(mode));
   }
-  ringing_ = std::llround(std::min(longest_sound, silence / slowest) * rate);
+  tune({}, 0);
+}
+
+/// Friction multiplies a part of the decay, and the size divides all of it.
+void MovingBody::tune(const score::Tuning& tuning, std::int64_t sample) {
+  const double slowest = std::min(1.0, tuning.friction) * slowest_ / tuning.size;
+  ringing_ = std::llround(std::min(longest_sound, silence / slowest) * rate_);
+  if (sample < silent_from_) {
+    sound_until(sample);
+  }
 }
 
 void MovingBody::place(const Pose& pose) {
@@ -36,10 +46,10 @@ void MovingBody::place(const Pose& pose) {
   to_body_ = (Eigen::Translation3d(vector_of(pose.position)) * Eigen::Quaterniond(w, x, y, z).normalized()).inverse();
 }
 
-resonators::PointForce MovingBody::in_body(const resonators::PointForce& force) const {
+resonators::PointForce in_body(const Eigen::Isometry3d& to_body, const resonators::PointForce& force) {
   resonators::PointForce turned = force;
-  turned.at = to_body_ * force.at;
-  turned.direction = to_body_.linear() * force.direction;
+  turned.at = to_body * force.at;
+  turned.direction = to_body.linear() * force.direction;
   return turned;
 }
 

@@ -6,10 +6,14 @@
 
 #include "idiophone/instruments/engines/engine_stage.hpp"
 #include "idiophone/instruments/resonators/point_forces.hpp"
+#include "idiophone/instruments/score/action.hpp"
 #include "idiophone/instruments/sound_maps/sound_map.hpp"
 #include "idiophone/instruments/voices/audience.hpp"
 
 namespace idiophone::engines {
+
+/// A force of the world in the coordinates of a body.
+[[nodiscard]] resonators::PointForce in_body(const Eigen::Isometry3d& to_body, const resonators::PointForce& force);
 
 class MovingBody {
  public:
@@ -20,8 +24,11 @@ class MovingBody {
 
   void place(const Pose& pose);
 
-  /// Into the coordinates of the body.
-  [[nodiscard]] resonators::PointForce in_body(const resonators::PointForce& force) const;
+  /// From the world to the coordinates of the body.
+  [[nodiscard]] const Eigen::Isometry3d& to_body() const { return to_body_; }
+
+  /// It rings for another time from now on, also what rings at an audio sample.
+  void tune(const score::Tuning& tuning, std::int64_t sample);
 
   /// Of an impact, as the nearest ear hears it, Pa.
   /// @param impulse  N s
@@ -52,6 +59,8 @@ class MovingBody {
   Vector3 centre_;
   double loudness_;       // Pa/(N s) at 1 m
   double farthest_;       // place of an ear from the centre, m
+  double slowest_;        // decay of its modes, 1/s
+  int rate_;              // audio samples per second
   std::int64_t ringing_;  // audio samples
   std::int64_t silent_from_ = 0;
   std::vector<Vector3> known_;  // ears as the voices know them

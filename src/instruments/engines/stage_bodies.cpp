@@ -6,14 +6,13 @@
 
 #include "map_loudness.hpp"
 #include "stage_checks.hpp"
+#include "stage_ears.hpp"
 
 namespace idiophone::engines {
 
 namespace {
 
-// Of the budget. The rest is for blows between two choices, and for caches that many bodies share.
-constexpr double share_to_spend = 0.85;
-// Of what is spent. The rest is for what rings.
+// Of the budget. The rest is for what rings.
 constexpr double share_of_struck = 0.5;
 constexpr double share_of_strokes = 0.25;
 
@@ -31,24 +30,18 @@ std::vector<Vector3> first_ears(std::vector<Vector3> ears, const std::vector<Sha
   return ears;
 }
 
-voices::Audience audience_at(const std::vector<Vector3>& ears) {
-  scene::Listener listener;
-  for (const Vector3& ear : ears) {
-    listener.receivers.push_back({.channel = "ear", .position = ear});
-  }
-  return voices::Audience(std::move(listener));
-}
-
 }  // namespace
 
-StageBodies::StageBodies(const std::vector<SharedMap>& maps, std::vector<Vector3> ears, const StageOptions& options)
-    : budget_(share_to_spend * options.budget),
+StageBodies::StageBodies(const std::vector<SharedMap>& maps, std::vector<Vector3> ears, const StageOptions& options,
+                         double budget, std::shared_ptr<voices::SharedBudget> shared)
+    : budget_(budget),
       rate_(options.rate),
       ears_(std::move(ears)),
       voices_(maps, audience_at(first_ears(ears_, maps)), options.rate,
               {.budget = budget_,
                .speed = options.speed * voices::usual_speed,
                .priority = proxies::Priority::audibility,
+               .shared = std::move(shared),
                .most_commands = most_commands}),
       struck_(share_of_struck * budget_) {
   const std::vector<Vector3> first = first_ears(ears_, maps);
@@ -68,15 +61,10 @@ void StageBodies::join(std::size_t body, const SharedMap& map, std::span<const V
   struck_.join(body, voices_.cost_of_driven(body));
 }
 
-std::size_t StageBodies::add(const SharedMap& map) {
+void StageBodies::add(std::size_t number, const SharedMap& map) {
   const std::vector<Vector3> ears = first_ears(ears_, {map});
-  std::vector<voices::HearingPoint> points;
-  for (const Vector3& ear : ears) {
-    points.push_back({.position = ear});
-  }
-  const std::size_t body = voices_.add(map, std::move(points));
-  join(body, map, ears);
-  return body;
+  voices_.add(number, map, points_at(ears));
+  join(number, map, ears);
 }
 
 void StageBodies::remove(std::size_t body) {
@@ -84,8 +72,13 @@ void StageBodies::remove(std::size_t body) {
   bodies_[body].reset();
 }
 
+void StageBodies::tune(std::size_t body, const score::Tuning& tuning, std::int64_t start) {
+  bodies_[body]->tune(tuning, start);
+  voices_.tune(body, tuning, start);
+}
+
 std::size_t StageBodies::most_strokes() const {
-  double most = 0.0;  // that a body costs
+  double most = 1e-9;  // that a body costs
   for (std::size_t body = 0; body < bodies_.size(); ++body) {
     most = std::max(most, voices_.cost_of_driven(body));
   }
@@ -100,7 +93,8 @@ std::vector<drivers::Excitation> StageBodies::chosen(std::span<const ContactForc
     for (std::size_t side = 0; side < 2; ++side) {
       const auto body = static_cast<std::size_t>(force.bodies[side]);
       if (force.bodies[side] != ContactEvent::nobody && has(body)) {
-        resonators::PointForce& added = excitations[body].forces.emplace_back(bodies_[body]->in_body(force.force));
+        resonators::PointForce& added =
+            excitations[body].forces.emplace_back(in_body(bodies_[body]->to_body(), force.force));
         added.direction *= side == 0 ? 1.0 : -1.0;
         loudness[body] = std::max(loudness[body], bodies_[body]->loudness(force.impulse, ears_));
       }

@@ -23,21 +23,32 @@ using touching::ContactForce;
 class StageBodies {
  public:
   /// @param maps  none of them null
-  /// @param ears  [channels] at first, m
-  StageBodies(const std::vector<SharedMap>& maps, std::vector<Vector3> ears, const StageOptions& options);
+  /// @param ears    [channels] at first, m
+  /// @param budget  processor time per time of sound
+  /// @param shared  this budget, with the proxies; null if it has no limit
+  StageBodies(const std::vector<SharedMap>& maps, std::vector<Vector3> ears, const StageOptions& options, double budget,
+              std::shared_ptr<voices::SharedBudget> shared);
 
   /// Whether a body has this number.
   [[nodiscard]] bool has(std::size_t number) const { return number < bodies_.size() && bodies_[number].has_value(); }
   /// Numbers that bodies have or had.
   [[nodiscard]] std::size_t size() const { return bodies_.size(); }
 
-  /// @param map  not null @return the number of the body, the lowest that is free
-  std::size_t add(const SharedMap& map);
+  /// Whether no body has this number, or fades with it.
+  [[nodiscard]] bool is_free(std::size_t number) const { return voices_.is_free(number); }
+
+  /// @param number  one that is free
+  /// @param map     not null
+  void add(std::size_t number, const SharedMap& map);
   /// It fades, and its number is free then.
   void remove(std::size_t body);
   [[nodiscard]] voices::SoundMapVoices& voices() { return voices_; }
 
   void place(std::size_t body, const Pose& pose) { bodies_[body]->place(pose); }
+  /// @throws std::runtime_error for a tension
+  void require_tunable(std::size_t body, const score::Tuning& tuning) const { voices_.require_tunable(body, tuning); }
+  /// @param start  audio sample
+  void tune(std::size_t body, const score::Tuning& tuning, std::int64_t start);
   /// @param ears  [channels] m
   void listen(std::vector<Vector3> ears) { ears_ = std::move(ears); }
 

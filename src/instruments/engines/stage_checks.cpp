@@ -15,7 +15,6 @@ using touching::vector_of;
 
 namespace {
 
-constexpr std::size_t most_channels = 4;
 constexpr double least_mass = 1e-9;  // kg
 
 bool is_finite(std::span<const double> numbers) {
@@ -38,6 +37,10 @@ void require(bool good, const char* problem) {
 
 StageOptions checked(StageOptions options) {
   require(options.rate >= 8000 && options.rate <= 384000, "the rate has to be from 8000 to 384000 1/s");
+  require(options.most_proxies > 0, "at least one proxy may sound");
+  require(options.air_density > 0.0 && options.air_density <= 1e4,
+          "the density of the air has to be above 0 to 1e4 kg/m3");
+  require(options.air_speed >= 1.0 && options.air_speed <= 1e5, "the speed of sound has to be from 1 to 1e5 m/s");
   require(!options.ears.empty() && options.ears.size() <= most_channels, "a stage has 1 to 4 ears");
   require(options.latency >= 0.0 && options.latency <= 1.0, "the latency has to be from 0 to 1 s");
   require(options.budget >= 0.0, "the budget must not be below 0");
@@ -47,7 +50,6 @@ StageOptions checked(StageOptions options) {
 }
 
 const std::vector<SharedMap>& checked(const std::vector<SharedMap>& bodies) {
-  require(!bodies.empty(), "a stage needs a body");
   require(std::ranges::all_of(bodies, [](const SharedMap& map) { return map != nullptr; }), "a body has no map");
   return bodies;
 }
@@ -73,6 +75,12 @@ std::vector<Surface> checked(std::vector<Surface> surfaces) {
     check_surface(surfaces[i], i);
   }
   return surfaces;
+}
+
+void check_tuning(const Tuning& tuning) {
+  const auto between = [](double value, double least, double most) { return value >= least && value <= most; };
+  require(between(tuning.tension, 1e-4, 1e4) && between(tuning.friction, 0.0, 1e6) && between(tuning.size, 0.01, 100.0),
+          "a tuning has a tension from 1e-4 to 1e4, a friction from 0 to 1e6 and a size from 0.01 to 100");
 }
 
 void check_ears(std::span<const Triple> ears) {

@@ -9,7 +9,10 @@
 
 namespace idiophone::engines {
 
-inline constexpr double largest_number = 1e6;                  ///< of an event or a place, in its unit
+inline constexpr std::size_t most_channels = 4;
+inline constexpr double largest_number = 1e6;  ///< of an event or a place, in its unit
+inline constexpr double most_ahead = 0.1;      ///< s, by which contacts may be ahead of the sound, beside the latency
+inline constexpr double longest_step = 1.0;    ///< s, of the physics
 inline constexpr double least_speed = 1e-3, most_speed = 1e3;  ///< of the machine
 
 void require(bool good, const std::string& problem);
@@ -23,6 +26,7 @@ void require(bool good, const char* problem);
 
 /// @param number  for the message
 void check_surface(const Surface& surface, std::size_t number);
+void check_tuning(const Tuning& tuning);
 void check_ears(std::span<const Triple> ears);
 /// @param bodies  of the stage
 void check_pose(std::size_t body, const Pose& pose, std::size_t bodies);

@@ -127,8 +127,32 @@ std::size_t Engine::add(BodyOptions body) {
                                 " has single springs with values of their own, which its pieces would lose; leave out "
                                 "these values or its strength");
   }
-  state_->voices.emplace_back(std::move(body), state_->options, state_->voices.size());
-  return state_->voices.size() - 1;
+  std::vector<Voice>& voices = state_->voices;
+  const auto faded =
+      std::ranges::find_if(state_->removed, [&](std::size_t number) { return !voices[number].sounds(); });
+  if (faded == state_->removed.end()) {
+    voices.emplace_back(std::move(body), state_->options, voices.size());
+    return voices.size() - 1;
+  }
+  const std::size_t number = *faded;
+  voices[number] = Voice(std::move(body), state_->options, number);
+  state_->removed.erase(faded);
+  return number;
+}
+
+void Engine::remove(std::size_t body) {
+  state_->require_body(body);
+  if (!is_whole(body) || state_->parents.contains(body)) {
+    throw std::invalid_argument("body " + state_->voices[body].body().name + " broke, so it can't be removed");
+  }
+  std::erase_if(state_->waiting, [&](const Force& force) { return force.body == body; });
+  std::erase_if(state_->tunings, [&](const Tuning& tuning) { return tuning.body == body; });
+  state_->voices[body].fade();
+  state_->removed.insert(body);
+}
+
+bool Engine::sounds(std::size_t body) const {
+  return state_->voices.at(body).sounds();
 }
 
 void Engine::move_listener(std::size_t body, const Vector3& listener, const Vector3& front) {
@@ -208,7 +232,7 @@ void Engine::render(std::span<double> sound) {
 void Engine::render_each(std::span<double> sounds) {
   std::ranges::fill(sounds, 0.0);
   const std::size_t rows = state_->voices.size();
-  const std::size_t samples = rows == 0 ? 0 : sounds.size() / rows;
+  const std::size_t samples = sounds.size() / std::max<std::size_t>(1, rows);
   state_->advance(samples, [&](Voice& voice, std::size_t first, std::size_t count) {
     const std::size_t row = state_->ancestor(state_->number_of(voice), rows);
     return voice.render(state_->now, sounds.subspan(row * samples + first, count));

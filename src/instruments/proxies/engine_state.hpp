@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <deque>
 #include <map>
+#include <set>
 #include <vector>
 
 #include "idiophone/instruments/proxies/engine.hpp"
@@ -18,6 +19,7 @@ struct Engine::State {
   std::deque<Tuning> tunings;  // likewise
   std::vector<Choice> choices;
   std::vector<Fracture> fractures;
+  std::set<std::size_t> removed;                           // numbers that are free as soon as they do not sound
   std::map<std::size_t, std::vector<std::size_t>> pieces;  // of bodies that broke
   std::map<std::size_t, std::size_t> parents;              // of pieces
   std::int64_t now = 0;

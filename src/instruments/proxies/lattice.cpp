@@ -185,15 +185,15 @@ bool Lattice::is_under_tension() const {
 
 /// Moves the masses to where the springs are in equilibrium; a free body keeps its centre of mass.
 void Lattice::find_rest(std::span<const double> volumes) {
-  const std::vector<Vector3> before = std::exchange(mesh_.nodes, equilibrium(mesh_.nodes, springs_, pinned_));
+  given_nodes_ = std::exchange(mesh_.nodes, equilibrium(mesh_.nodes, springs_, pinned_));
   if (is_free_) {
-    const Vector3 shift = inertia_of(before, masses_).centre - inertia_of(mesh_.nodes, masses_).centre;
+    const Vector3 shift = inertia_of(given_nodes_, masses_).centre - inertia_of(mesh_.nodes, masses_).centre;
     for (Vector3& node : mesh_.nodes) {
       node += shift;
     }
   }
   for (std::size_t t = 0; t < volumes.size(); ++t) {
-    if (!(signed_volume(mesh_.nodes, mesh_.tetrahedra[t]) * signed_volume(before, mesh_.tetrahedra[t]) > 0.0)) {
+    if (!(signed_volume(mesh_.nodes, mesh_.tetrahedra[t]) * signed_volume(given_nodes_, mesh_.tetrahedra[t]) > 0.0)) {
       throw std::invalid_argument("the natural lengths turn tetrahedron " + std::to_string(t) +
                                   " inside out; they must be closer to the lengths in the mesh");
     }

@@ -2,21 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <iterator>
+#include <stdexcept>
 
+#include "idiophone/foundation/flat_file.hpp"
 #include "sound_map_paths.hpp"
-#include "voice_bytes.hpp"
 
 namespace idiophone::sound_maps {
 
 namespace {
 
-constexpr std::string_view magic = "IDIOPHONE VOICE\n";
-constexpr std::uint32_t present_version = 1;
+constexpr FlatKind voice_kind{
+    .magic = "IDIOPHONE VOICE\n", .version = 1, .made_with = "idiophone export MAP.map.h5 --voice FILE.voice"};
 constexpr std::size_t most_listeners = 64;
 
 template <class Archive>
@@ -83,48 +79,21 @@ void all_of(Archive& archive, SoundMap& map) {
 }
 
 SoundMap read_contents(std::span<const char> bytes) {
-  ByteReader reader(bytes);
-  const std::span<const char> begin = reader.take(std::min(bytes.size(), magic.size()));
-  if (!std::ranges::equal(begin, magic)) {
-    throw std::runtime_error("it does not begin as one; `idiophone export MAP.map.h5 --voice FILE.voice` makes one");
-  }
-  std::uint32_t version = 0;
-  std::uint64_t sum = 0;
-  reader.number(version);
-  if (version != present_version) {
-    throw std::runtime_error(fmt::format("it has the version {}, and this library reads version {}; export it again",
-                                         version, present_version));
-  }
-  reader.number(sum);
-  if (sum != voice_checksum(reader.rest())) {
-    throw std::runtime_error("its checksum is wrong, so it is damaged");
-  }
+  ByteReader reader = flat_contents(voice_kind, bytes);
   SoundMap map;
   all_of(reader, map);
-  if (!reader.rest().empty()) {
-    throw std::runtime_error("something follows its end");
-  }
+  reader.end();
   return map;
 }
 
 }  // namespace
 
-std::uint64_t voice_checksum(std::span<const char> bytes) {
-  std::uint64_t sum = 0xcbf29ce484222325;
-  for (const char byte : bytes) {
-    sum = (sum ^ static_cast<unsigned char>(byte)) * 0x100000001b3;
-  }
-  return sum;
-}
-
 std::string voice_file(const SoundMap& map) {
   check_sound_map(map, map.body + ".voice");
   SoundMap copy = map;  // an archive takes what it could change
-  ByteWriter contents, file;
+  ByteWriter contents;
   all_of(contents, copy);
-  file.number(present_version);
-  file.number(voice_checksum(contents.bytes()));
-  return std::string(magic) + file.bytes() + contents.bytes();
+  return flat_file(voice_kind, contents);
 }
 
 SoundMap read_voice(std::span<const char> bytes, const std::string& name) {
@@ -139,15 +108,7 @@ SoundMap read_voice(std::span<const char> bytes, const std::string& name) {
 }
 
 SoundMap read_voice(const std::filesystem::path& path) {
-  if (std::filesystem::exists(path) && !std::filesystem::is_regular_file(path)) {
-    throw std::runtime_error(fmt::format("can't read {}: it is no file", path.string()));
-  }
-  std::ifstream file(path, std::ios::binary);
-  const std::string bytes{std::istreambuf_iterator<char>(file), {}};
-  if (!file) {
-    throw std::runtime_error(fmt::format("can't read {}: {}", path.string(), std::strerror(errno)));
-  }
-  return read_voice(bytes, path.string());
+  return read_voice(read_bytes(path), path.string());
 }
 
 }  // namespace idiophone::sound_maps

@@ -49,6 +49,28 @@ ProxyVoices::ProxyVoices(proxies::Engine engine, std::vector<ProxyBody> bodies, 
   }
 }
 
+std::size_t ProxyVoices::add(proxies::BodyOptions options, ProxyBody body) {
+  if (audience_.has_head()) {
+    throw std::runtime_error("bodies that a head hears can't join");
+  }
+  const std::size_t number = engine_.add(std::move(options));
+  const std::size_t count = std::max(bodies_.size(), number + 1);
+  bodies_.resize(count);
+  roots_.resize(count);
+  names_.resize(count);
+  names_[number] = body.name;
+  roots_[number] = number;
+  bodies_[number] = std::move(body);
+  jump(number);
+  return number;
+}
+
+/// As if the engine had been told in time.
+void ProxyVoices::jump(std::size_t body) {
+  const std::int64_t last_move = now_ - now_ % samples_to_a_move;
+  move_listener(body, middle_of_points(last_move), last_move);
+}
+
 void ProxyVoices::require_in_reach(const Vector3& place) const {
   for (const ProxyBody& body : bodies_) {
     if ((place - body.centre).norm() > longest_way * hearing_.speed_of_sound) {
@@ -85,14 +107,18 @@ void ProxyVoices::set_budget(double budget, std::int64_t start) {
   set_detail(0, detail, start);
 }
 
-/// Proxies give way to sound maps of at least their priority.
-void ProxyVoices::share_budget() {
-  engine_.keep_limits();
+std::vector<Claim> ProxyVoices::claims() const {
   std::vector<Claim> claims;
   for (const proxies::Share& share : engine_.shares()) {
     claims.push_back({.priority = share.priority, .cost = share.cost / hearing_.speed});
   }
-  hearing_.shared->proxies.make(claims);
+  return claims;
+}
+
+/// Proxies give way to sound maps of at least their priority.
+void ProxyVoices::share_budget() {
+  engine_.keep_limits();
+  hearing_.shared->proxies.make(claims());
 }
 
 void ProxyVoices::make_due_changes() {
@@ -138,16 +164,24 @@ Vector3 ProxyVoices::place(std::size_t body, std::int64_t sample) const {
   return bodies_[body].track ? Vector3(pose(body, sample) * bodies_[body].centre) : bodies_[body].centre;
 }
 
-/// Tells the engine where the middle of the points is, in the coordinates of each body.
-void ProxyVoices::move_listeners() {
+Vector3 ProxyVoices::middle_of_points(std::int64_t sample) const {
   std::vector<HearingPoint> points;
   for (std::size_t point = 0; point < points_.count(); ++point) {
-    points.push_back(points_.at(point, now_));
+    points.push_back(points_.at(point, sample));
   }
-  const Vector3 middle = middle_of(points);
+  return middle_of(points);
+}
+
+/// Tells the engine where the middle of the points is, in the coordinates of a body.
+void ProxyVoices::move_listener(std::size_t body, const Vector3& middle, std::int64_t sample) {
+  const Eigen::Isometry3d to_body = pose(body, sample).inverse();
+  engine_.move_listener(body, to_body * middle, to_body.linear() * audience_.look());
+}
+
+void ProxyVoices::move_listeners() {
+  const Vector3 middle = middle_of_points(now_);
   for (std::size_t body = 0; body < bodies_.size(); ++body) {
-    const Eigen::Isometry3d to_body = pose(body, now_).inverse();
-    engine_.move_listener(body, to_body * middle, to_body.linear() * audience_.look());
+    move_listener(body, middle, now_);
   }
 }
 
@@ -162,7 +196,7 @@ void ProxyVoices::turn_ears() {
 
 void ProxyVoices::advance(std::size_t samples) {
   add_landings(samples);
-  each_.resize(bodies_.size() * samples);
+  each_.resize(std::max<std::size_t>(1, bodies_.size()) * samples);
   engine_.render_each(each_);
 }
 

@@ -40,10 +40,6 @@ std::vector<MapBody*> Roster::present() const {
   return all;
 }
 
-std::size_t Roster::free_number() const {
-  return static_cast<std::size_t>(std::find(bodies_.begin(), bodies_.end(), nullptr) - bodies_.begin());
-}
-
 void Roster::join(std::size_t number, std::unique_ptr<MapBody> body) {
   const std::size_t count = std::max(number + 1, bodies_.size());
   bodies_.resize(count);

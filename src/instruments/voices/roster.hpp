@@ -30,9 +30,6 @@ class Roster {
   /// The bodies that there are, in the order of their numbers.
   [[nodiscard]] std::vector<MapBody*> present() const;
 
-  /// The lowest that is free.
-  [[nodiscard]] std::size_t free_number() const;
-
   // Bodies can join and leave where no head hears them and no contacts of a score touch them.
 
   /// A body gets a free number.

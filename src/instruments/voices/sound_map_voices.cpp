@@ -40,19 +40,21 @@ MapBody& SoundMapVoices::body(std::size_t number) const {
   return *roster_->bodies()[number];
 }
 
-std::size_t SoundMapVoices::add(const std::shared_ptr<const sound_maps::SoundMap>& map,
-                                std::vector<HearingPoint> points) {
+bool SoundMapVoices::is_free(std::size_t number) const {
+  return number >= roster_->bodies().size() || roster_->bodies()[number] == nullptr;
+}
+
+void SoundMapVoices::add(std::size_t number, const std::shared_ptr<const sound_maps::SoundMap>& map,
+                         std::vector<HearingPoint> points) {
   require_no_head();
   const auto bodies = roster_->bodies();
   const auto same = std::ranges::find_if(bodies, [&](const auto& body) { return body && &body->map() == map.get(); });
   const auto known = same != bodies.end() ? (*same)->prepared() : std::make_shared<const PreparedMap>(map);
-  const std::size_t number = roster_->free_number();
   auto joins = std::make_unique<MapBody>(known, audience_, std::move(points), rate_, detail_);
   joins->player().set_priority(-static_cast<double>(number));
   names_.resize(std::max(names_.size(), number + 1));
   names_[number] = map->body;
   roster_->join(number, std::move(joins));
-  return number;
 }
 
 void SoundMapVoices::remove(std::size_t number) {

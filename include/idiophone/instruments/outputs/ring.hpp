@@ -26,6 +26,11 @@ class Ring {
     return true;
   }
 
+  /// For the thread that puts: items that there is room for.
+  [[nodiscard]] std::size_t room() const {
+    return items_.size() - (end_.load(std::memory_order_relaxed) - begin_.load(std::memory_order_acquire));
+  }
+
   /// For the thread that takes.
   [[nodiscard]] bool is_empty() const {
     return begin_.load(std::memory_order_relaxed) == end_.load(std::memory_order_acquire);

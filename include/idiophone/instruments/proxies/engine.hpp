@@ -137,10 +137,17 @@ class Engine {
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
-  /// Adds a body at rest. @return its number
+  /// Adds a body at rest. @return its number: the lowest of those that were removed and have faded, or a new one
   /// @throws std::invalid_argument when it can't be simulated, or shall break and has springs under tension at rest or
   ///         single springs with values of their own
   std::size_t add(BodyOptions body);
+
+  /// A body fades within 2 ms, and forces that wait for it are forgotten. Nothing can be told of it from then on.
+  /// @throws std::invalid_argument when there is no such body, or it broke: its pieces stay
+  void remove(std::size_t body);
+
+  /// Whether a body is computed: it sounds or fades.
+  [[nodiscard]] bool sounds(std::size_t body) const;
 
   /// The listener moved, or the body did: its loudness and its priority change at once, what is heard of its
   /// triangles within 10 ms.
@@ -185,7 +192,8 @@ class Engine {
   void render(std::span<double> sound);
 
   /// The same, for an application that moves the sounds to its listeners itself: the sound of each body at 1 m in the
-  /// direction of its listener, [bodies x samples]. A piece that comes off meanwhile sounds with the body that broke.
+  /// direction of its listener, [bodies x samples]; [samples] without bodies. A piece that comes off meanwhile sounds
+  /// with the body that broke.
   void render_each(std::span<double> sounds);
 
   /// The audio sample that is rendered next.

@@ -95,7 +95,11 @@ class Lattice {
   ///         its orientation
   Lattice(TetrahedralMesh mesh, const Material& material, std::span<const Index> pinned = {}, OwnValues own = {});
 
-  [[nodiscard]] const TetrahedralMesh& mesh() const { return mesh_; }          ///< at rest
+  [[nodiscard]] const TetrahedralMesh& mesh() const { return mesh_; }  ///< at rest
+  /// [nodes] m: as the lattice got them. Springs of other natural lengths have moved them to where they rest.
+  [[nodiscard]] const std::vector<Vector3>& given_nodes() const {
+    return given_nodes_.empty() ? mesh_.nodes : given_nodes_;
+  }
   [[nodiscard]] const std::vector<double>& masses() const { return masses_; }  ///< [nodes] kg
   [[nodiscard]] const std::vector<Spring>& springs() const { return springs_; }
   [[nodiscard]] const Inertia& inertia() const { return inertia_; }  ///< of the point masses
@@ -108,6 +112,7 @@ class Lattice {
   [[nodiscard]] bool is_under_tension() const;  ///< springs have natural lengths of their own
   [[nodiscard]] bool has_own_springs() const { return !own_.springs.empty(); }
   [[nodiscard]] const Material& material() const { return material_; }
+  [[nodiscard]] const OwnValues& own() const { return own_; }
   /// Of a tetrahedron, as OwnValues.
   [[nodiscard]] double own_stiffness(std::size_t t) const { return own_.stiffness.empty() ? 1.0 : own_.stiffness[t]; }
   [[nodiscard]] EdgeFactors own_edges(std::size_t t) const {
@@ -134,6 +139,7 @@ class Lattice {
   void find_rest(std::span<const double> volumes);
 
   TetrahedralMesh mesh_;
+  std::vector<Vector3> given_nodes_;  // if they are others
   Material material_;
   OwnValues own_;
   std::vector<double> masses_;

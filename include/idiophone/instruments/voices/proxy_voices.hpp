@@ -66,6 +66,22 @@ class ProxyVoices : public Voice {
   [[nodiscard]] std::int64_t lead() const override { return engine_.delay(); }
   void render(std::span<double> sound, std::int64_t clock) override;
 
+  /// A body joins, at rest, heard from where it is. @return its number, as proxies::Engine::add()
+  /// @throws std::invalid_argument as proxies::Engine::add(); std::runtime_error when a head hears the voices
+  std::size_t add(proxies::BodyOptions options, ProxyBody body);
+
+  /// As proxies::Engine::remove(). What it has emitted still arrives.
+  void remove(std::size_t body) { engine_.remove(body); }
+
+  /// The track of a body has put it somewhere else at once: the engine learns now where its listener is.
+  void jump(std::size_t body);
+
+  /// Whether a body is computed: it sounds or fades.
+  [[nodiscard]] bool sounds(std::size_t body) const { return engine_.sounds(body); }
+
+  /// What the bodies that sound take of the budget, [bodies that sound], with costs as SharedBudget has them.
+  [[nodiscard]] std::vector<Claim> claims() const;
+
   /// Of a body, or of the piece of one.
   [[nodiscard]] const std::string& name_of(std::size_t body) const { return bodies_[body].name; }
 
@@ -107,6 +123,8 @@ class ProxyVoices : public Voice {
   [[nodiscard]] Eigen::Isometry3d pose(std::size_t body, std::int64_t sample) const;
   [[nodiscard]] Vector3 place(std::size_t body, std::int64_t sample) const;
   void film_if_due();
+  void move_listener(std::size_t body, const Vector3& middle, std::int64_t sample);
+  [[nodiscard]] Vector3 middle_of_points(std::int64_t sample) const;
   void move_listeners();
   void turn_ears();
   void advance(std::size_t samples);

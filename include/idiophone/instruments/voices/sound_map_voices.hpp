@@ -23,7 +23,7 @@ struct Lineup;
 
 class SoundMapVoices : public Voice {
  public:
-  /// @param maps      at least one; bodies can share a map
+  /// @param maps      bodies can share a map
   /// @param audience  audience_of() the maps, or another; must have somebody
   /// @param rate      audio samples per second; modes from half of it on are left out
   /// @param detail    what is left out; nothing as long as the budget has no limit
@@ -52,13 +52,17 @@ class SoundMapVoices : public Voice {
   [[nodiscard]] VoiceReport report() const override;
   void render(std::span<double> sound, std::int64_t clock) override;
 
-  /// A body joins. It has the lowest number that is free. attend() hands all that joined to the audio thread at once.
-  /// No contacts of a score may touch the voices.
+  /// Whether no body has this number, or fades with it.
+  [[nodiscard]] bool is_free(std::size_t number) const;
+
+  /// A body joins. attend() hands all that joined to the audio thread at once. No contacts of a score may touch the
+  /// voices.
+  /// @param number  one that is free
   /// @param points  the listener's places in the coordinates of the body, m: 1 to most_receivers, as many as the others
   ///   have
-  /// @return its number
   /// @throws std::runtime_error when it is too far away, or a head hears the voices
-  std::size_t add(const std::shared_ptr<const sound_maps::SoundMap>& map, std::vector<HearingPoint> points);
+  void add(std::size_t number, const std::shared_ptr<const sound_maps::SoundMap>& map,
+           std::vector<HearingPoint> points);
 
   /// A body fades within MapChoice::interval and leaves; its number is free then, and can't be used before.
   /// @throws std::runtime_error when a head hears the voices
