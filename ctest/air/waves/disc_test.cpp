@@ -59,7 +59,7 @@ TEST(Disc, HasTheAddedMassOfLamb) {
 
 TEST(Disc, HasItThinnerThanASubVoxel) {
   for (const double error : errors(film, Eigen::Matrix3d::Identity())) {
-    EXPECT_NEAR(error, 0.0, 0.4);
+    EXPECT_NEAR(error, 0.0, 0.15);
   }
 }
 
