@@ -2,6 +2,7 @@
 // Where lines through a grid are inside of solids.
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "idiophone/air/waves/grid.hpp"
@@ -11,7 +12,7 @@ namespace idiophone::waves {
 
 /// A piece of a line along an axis through the centres of sub-voxels.
 struct InnerPiece {
-  Index line;          ///< within the box: first along the next axis, x after z, then along the one after it
+  Index line;          ///< number within the box: counted along the next axis (x after z), then along the one after it
   float from, to;      ///< along the line from the grid's corner, in sub-voxels
   bool through_sheet;  ///< the surfaces at both ends look in opposite directions, within 60 degrees
 };

@@ -14,7 +14,7 @@ SolidVoxels::SolidVoxels(const Subdomain& subdomain, const Obstruction& obstruct
   runs_.resize(box_.width(2));
   for (std::size_t axis = 0; axis < 3; ++axis) {
     for (const InnerPiece& piece : inner_pieces(obstruction, subdomain.grid(), box_, axis)) {
-      find_runs(piece, axis);
+      add_piece(piece, axis);
     }
   }
   contents_.assign(box_.size(), air);
@@ -46,7 +46,7 @@ void SolidVoxels::find_box(const Subdomain& subdomain, const Obstruction& obstru
 }
 
 /// Lines along x meet all centres, those along the other axes only find more sheets.
-void SolidVoxels::find_runs(const InnerPiece& piece, std::size_t axis) {
+void SolidVoxels::add_piece(const InnerPiece& piece, std::size_t axis) {
   const std::size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
   const auto [from, to] = centres(piece.from, piece.to);
   std::array<int, 3> place{};

@@ -31,7 +31,7 @@ class SolidVoxels {
 
  private:
   void find_box(const Subdomain& subdomain, const Obstruction& obstruction);
-  void find_runs(const InnerPiece& piece, std::size_t axis);
+  void add_piece(const InnerPiece& piece, std::size_t axis);
   void add_run(const std::array<int, 3>& first, int length);
   void fill_plane(int z);
 
