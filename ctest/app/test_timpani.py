@@ -29,7 +29,7 @@ class Timpani(program.TestCase):
         """Frequencies, Hz, and decay rates, 1/s (NaN where too little decays), of what the drum sounds."""
         changes = [word for setting in settings for word in ("--set", setting)]
         self.require_status(program.idiophone("run", DECK, "--output-folder", self.output, *changes), program.FINISHED)
-        answer = program.idiophone("analyze", self.output / "timpani.h5", "--highest", 500, "--duration", 0.3, "--json")
+        answer = program.idiophone("analyze", self.output / "timpani.h5", "--highest", 500, "--json")
         self.require_status(answer, program.FINISHED)
         found = json.loads(answer.stdout)["channels"][0]["partials"]
         return [(partial["frequency"], 3 * numpy.log(10) / (partial["decay_time"] or numpy.nan)) for partial in found]
