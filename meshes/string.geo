@@ -36,4 +36,8 @@ Recombine Surface {1:5};
 Extrude {length, 0, 0} { Surface{1:5}; Layers{ {1, 1, cells, 1, 1}, {0.01, 0.03, 0.97, 0.99, 1} }; Recombine; }
 Physical Volume("body") = Volume{:};
 e = radius / 1000;
-Physical Surface("ends") = {Surface In BoundingBox{-e, -1, -1, e, 1, 1}, Surface In BoundingBox{length - e, -1, -1, length + e, 1, 1}};
+left[] = Surface In BoundingBox{-e, -1, -1, e, 1, 1};
+right[] = Surface In BoundingBox{length - e, -1, -1, length + e, 1, 1};
+Physical Surface("ends") = {left[], right[]};
+Physical Surface("left") = {left[]};
+Physical Surface("right") = {right[]};

@@ -109,5 +109,44 @@ TEST(CutCells, HaveTwoNodesWhereASheetDividesThem) {
   }
 }
 
+/// A hollow sphere about the origin.
+radiation::Solid shell(double radius, double thickness) {
+  radiation::Solid shell = radiation::icosphere(radius, 16);
+  const radiation::Solid inner = radiation::icosphere(radius - thickness, 16);
+  const auto first = static_cast<Index>(shell.vertices.size());
+  shell.vertices.insert(shell.vertices.end(), inner.vertices.begin(), inner.vertices.end());
+  for (const auto& [a, b, c] : inner.triangles) {
+    shell.triangles.push_back({first + a, first + c, first + b});
+  }
+  return shell;
+}
+
+TEST(CutCells, KeepAirInAShellThatIsThinnerThanASubVoxel) {
+  WaveField field(Division(whole().grid(), 1), WaveField::largest_courant, MPI_COMM_SELF);
+  field.set_surfaces(cells_of(shell(0.1, 1e-5), Vector3(0.001, 0.002, 0.003)));
+  const Index centre = whole().number({16, 16, 16});
+  field.set_pressure(centre, 1.0F);
+  const std::vector<float> still(field.cut_cells().nodes().size());
+  for (int step = 0; step < 60; ++step) {
+    field.step(still);
+  }
+  EXPECT_NE(field.pressure(centre), 0.0F);
+  for_each_cell(whole().cells(), [&](const std::array<int, 3>& cell) {
+    const Vector3 place = whole().grid().corner + 0.01 * Vector3(cell[0] + 0.5, cell[1] + 0.5, cell[2] + 0.5);
+    if (place.norm() > 0.12) {
+      ASSERT_EQ(field.pressure(whole().number(cell)), 0.0F) << place.transpose();
+    }
+  });
+}
+
+TEST(CutCells, KeepTheirSidesWhereASheetIsThinnerThanASubVoxel) {
+  for (const double height : {0.0049, 0.005, 0.0055, 0.0061}) {  // between centres and on them
+    const CutCells cells = cells_of(radiation::box(Vector3(0.2, 0.2, 1e-5), {2, 2, 1}), Vector3(0.0, 0.0, height));
+    const auto [first, last] = cells.nodes_of({16, 16, 16});
+    ASSERT_EQ(last - first, 2) << height;
+    EXPECT_EQ(count(cells.nodes()[first].mask) + count(cells.nodes()[first + 1].mask), 7 * 64) << height;
+  }
+}
+
 }  // namespace
 }  // namespace idiophone::waves

@@ -68,6 +68,13 @@ TEST(LevelError, IsThatOfMeasuredBars) {
   EXPECT_NEAR(level_error(tine, fine_cell(tine)), 0.5, 1e-12);
 }
 
+TEST(LevelError, OfASheetDoesNotDependOnItsThickness) {
+  const CrossSection thin{.thickness = 0.0002, .width = 0.2}, thinner{.thickness = 0.00002, .width = 0.2};
+  EXPECT_NEAR(level_error(thin, 0.008), 0.58, 0.01);  // 0.2 dB by the test Disc
+  EXPECT_EQ(level_error(thin, 0.008), level_error(thinner, 0.008));
+  EXPECT_NEAR(level_error(thin, fine_cell(thin)), 0.5, 1e-12);
+}
+
 TEST(LevelError, OfOppositePartsCoversMeasuredBars) {
   const CrossSection beam{.thickness = 0.0225, .width = 0.03};     // two of them, 7.5 mm apart: docs/method/waves.md
   const auto bound = [&](double cells_across, double frequency) {  // dB

@@ -3,50 +3,25 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <tuple>
 
 namespace idiophone::waves {
-
-namespace {
-
-/// Twice the area of (a, b, point) seen along x. Exactly the opposite for (b, a, point), so that a line on an edge
-/// passes through one of its two triangles.
-double side(const Vector3& a, const Vector3& b, double y, double z) {
-  const bool ordered = std::tie(a[1], a[2], a[0]) < std::tie(b[1], b[2], b[0]);
-  const Vector3& first = ordered ? a : b;
-  const Vector3& second = ordered ? b : a;
-  const double value = (second[1] - first[1]) * (z - first[2]) - (second[2] - first[2]) * (y - first[1]);
-  const double signed_value = value == 0.0 ? std::numeric_limits<double>::min() : value;
-  return ordered ? signed_value : -signed_value;
-}
-
-/// Centres of sub-voxels from one coordinate to another: numbers from first to before last.
-std::pair<int, int> centres(double from, double to) {
-  return {static_cast<int>(std::ceil(from - 0.5)), static_cast<int>(std::ceil(to - 0.5))};
-}
-
-}  // namespace
 
 SolidVoxels::SolidVoxels(const Subdomain& subdomain, const Obstruction& obstruction) {
   find_box(subdomain, obstruction);
   if (box_.is_empty()) {
     return;
   }
-  crossings_.resize(box_.to[2] - box_.from[2]);
-  for (Index t = 0; t < static_cast<Index>(obstruction.triangles.size()); ++t) {
-    std::array<Vector3, 3> corners;
-    for (int k = 0; k < 3; ++k) {
-      corners[k] = voxels * subdomain.grid().in_cells(obstruction.corner(t, k));
+  runs_.resize(box_.width(2));
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    for (const InnerPiece& piece : inner_pieces(obstruction, subdomain.grid(), box_, axis)) {
+      add_piece(piece, axis);
     }
-    cross(corners);
   }
   contents_.assign(box_.size(), air);
-  std::vector<Mask> plane(static_cast<std::size_t>(box_.to[0] - box_.from[0]) * (box_.to[1] - box_.from[1]));
   for (int z = box_.from[2]; z < box_.to[2]; ++z) {
-    fill_plane(z, plane);
+    fill_plane(z);
   }
-  crossings_.clear();
+  runs_.clear();
 }
 
 void SolidVoxels::find_box(const Subdomain& subdomain, const Obstruction& obstruction) {
@@ -70,46 +45,42 @@ void SolidVoxels::find_box(const Subdomain& subdomain, const Obstruction& obstru
   }
 }
 
-void SolidVoxels::cross(const std::array<Vector3, 3>& triangle) {
-  const auto& [a, b, c] = triangle;
-  const auto [y_low, y_high] = std::minmax({a[1], b[1], c[1]});
-  const auto [z_low, z_high] = std::minmax({a[2], b[2], c[2]});
-  const auto lines = [this](std::size_t axis, double low, double high) {
-    return centres(std::max<double>(voxels * box_.from.at(axis), low),
-                   std::min<double>(voxels * box_.to.at(axis), high));
+/// Lines along x meet all centres, those along the other axes only find more sheets.
+void SolidVoxels::add_piece(const InnerPiece& piece, std::size_t axis) {
+  const std::size_t next = (axis + 1) % 3, last = (axis + 2) % 3;
+  const auto [from, to] = centres(piece.from, piece.to);
+  std::array<int, 3> place{};
+  place.at(next) = piece.line % (voxels * box_.width(next));
+  place.at(last) = piece.line / (voxels * box_.width(next));
+  const auto in_box = [&](int number) {
+    return std::clamp(number - voxels * box_.from.at(axis), 0, voxels * box_.width(axis));
   };
-  const auto [y_from, y_to] = lines(1, y_low, y_high);
-  const auto [z_from, z_to] = lines(2, z_low, z_high);
-  for (int z = z_from; z < z_to; ++z) {
-    for (int y = y_from; y < y_to; ++y) {
-      const double at_a = side(b, c, y + 0.5, z + 0.5);
-      const double at_b = side(c, a, y + 0.5, z + 0.5);
-      const double at_c = side(a, b, y + 0.5, z + 0.5);
-      const bool forwards = at_a > 0 && at_b > 0 && at_c > 0;
-      if (forwards || (at_a < 0 && at_b < 0 && at_c < 0)) {
-        const double x = (at_a * a[0] + at_b * b[0] + at_c * c[0]) / (at_a + at_b + at_c);
-        const Index line = (z % voxels) * voxels * (box_.to[1] - box_.from[1]) + y - voxels * box_.from[1];
-        crossings_[z / voxels - box_.from[2]].push_back({line, static_cast<float>(x), forwards ? -1 : 1});
-      }
-    }
+  if (from == to && piece.through_sheet) {
+    const int middle = static_cast<int>(std::floor((piece.from + piece.to) / 2.0F));
+    place.at(axis) = in_box(middle);
+    add_run(place, in_box(middle + 1) - in_box(middle));
+  } else if (axis == 0) {
+    place[0] = in_box(from);
+    add_run(place, in_box(to) - in_box(from));
   }
 }
 
-void SolidVoxels::fill_plane(int z, std::vector<Mask>& plane) {
-  auto& crossings = crossings_[z - box_.from[2]];
-  if (crossings.empty()) {
+void SolidVoxels::add_run(const std::array<int, 3>& first, int length) {
+  if (length > 0) {
+    runs_[first[2] / voxels].push_back({first, length});
+  }
+}
+
+void SolidVoxels::fill_plane(int z) {
+  const auto& runs = runs_[z - box_.from[2]];
+  if (runs.empty()) {
     return;
   }
-  std::ranges::fill(plane, Mask{});
-  std::ranges::sort(crossings, {}, [](const Crossing& c) { return std::tuple(c.line, c.x, -c.direction); });
-  int winding = 0;
-  for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
-    if (i == 0 || crossings[i].line != crossings[i - 1].line) {
-      winding = 0;
-    }
-    winding += crossings[i].direction;
-    if (winding > 0 && crossings[i + 1].line == crossings[i].line) {
-      fill_line(crossings[i].line, crossings[i].x, crossings[i + 1].x, plane);
+  std::vector<Mask> plane(static_cast<std::size_t>(box_.width(0)) * box_.width(1));
+  for (const auto& [first, length] : runs) {
+    const std::size_t row = static_cast<std::size_t>(first[1] / voxels) * box_.width(0);
+    for (int x = first[0]; x < first[0] + length; ++x) {
+      plane[row + x / voxels][first[2] % voxels] |= std::uint64_t{1} << (voxels * (first[1] % voxels) + x % voxels);
     }
   }
   const std::size_t before = box_.place({box_.from[0], box_.from[1], z});
@@ -120,18 +91,6 @@ void SolidVoxels::fill_plane(int z, std::vector<Mask>& plane) {
       contents_[before + i] = static_cast<Index>(masks_.size());
       masks_.push_back(plane[i]);
     }
-  }
-}
-
-void SolidVoxels::fill_line(Index line, double from, double to, std::vector<Mask>& plane) const {
-  const int width = box_.to[0] - box_.from[0];
-  const int y = line % (voxels * (box_.to[1] - box_.from[1]));
-  const int layer = line / (voxels * (box_.to[1] - box_.from[1]));
-  const int offset = voxels * box_.from[0];
-  const auto [first, last] = centres(std::max(0.0, from - offset), std::min<double>(voxels * width, to - offset));
-  for (int x = first; x < last; ++x) {
-    plane[static_cast<std::size_t>(y / voxels) * width + x / voxels][layer] |= std::uint64_t{1}
-                                                                               << (voxels * (y % voxels) + x % voxels);
   }
 }
 

@@ -5,11 +5,13 @@
 
 #include "idiophone/air/waves/obstruction.hpp"
 #include "idiophone/air/waves/subdomain.hpp"
+#include "inner_pieces.hpp"
 #include "sub_voxels.hpp"
 
 namespace idiophone::waves {
 
-/// A sub-voxel is solid if the surfaces wind about its centre.
+/// A sub-voxel is solid if the surfaces wind about its centre. Where a sheet passes between two centres that are
+/// neighbours, the sub-voxel in which it does so is solid, too. So sheets of any thickness let no air through.
 class SolidVoxels {
  public:
   /// What is in a cell; a number from 0 on is that of its mask.
@@ -28,19 +30,18 @@ class SolidVoxels {
   [[nodiscard]] const std::vector<Mask>& masks() const { return masks_; }
 
  private:
-  /// Where a line along x passes through a surface.
-  struct Crossing {
-    Index line;     ///< within a plane of cells
-    float x;        ///< from the grid's corner, in sub-voxels
-    int direction;  ///< 1: into the solid, -1: out of it
-  };
   void find_box(const Subdomain& subdomain, const Obstruction& obstruction);
-  void cross(const std::array<Vector3, 3>& triangle);
-  void fill_plane(int z, std::vector<Mask>& plane);
-  void fill_line(Index line, double from, double to, std::vector<Mask>& plane) const;
+  void add_piece(const InnerPiece& piece, std::size_t axis);
+  void add_run(const std::array<int, 3>& first, int length);
+  void fill_plane(int z);
 
+  /// Solid sub-voxels on a line along x, numbered from the corner of the box.
+  struct Run {
+    std::array<int, 3> first;
+    int length;
+  };
   CellBox box_;
-  std::vector<std::vector<Crossing>> crossings_;  // [planes of the box]
+  std::vector<std::vector<Run>> runs_;  // [planes of cells of the box]
   std::vector<Index> contents_;
   std::vector<Mask> masks_;
 };

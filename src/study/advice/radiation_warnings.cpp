@@ -31,27 +31,14 @@ std::optional<std::string> rayleigh_warning(const std::string& body, const mesh:
       body);
 }
 
-std::optional<std::string> waves_warning(const std::string& body, const mesh::Statistics& mesh, double cell) {
-  const double thickness = 2.0 * mesh.volume / mesh.surface_area;
-  if (thickness >= cell / 8.0) {
-    return {};
-  }
-  return fmt::format(
-      "body {} is about {:.2g} m thick: with radiation model waves, sound goes through walls thinner than an eighth of "
-      "a "
-      "cell; set radiation.cell to {:.2g} m or less (docs/use/waves.md)",
-      body, thickness, 8.0 * thickness);
-}
-
 }  // namespace
 
 std::optional<std::string> radiation_warning(const std::string& body, const mesh::Statistics& mesh,
                                              const scene::Radiation& radiation) {
   switch (radiation.model) {
     case scene::RadiationModel::huygens:
-      return {};
     case scene::RadiationModel::waves:
-      return waves_warning(body, mesh, radiation.grid.cell);
+      return {};
     case scene::RadiationModel::rayleigh:
       return rayleigh_warning(body, mesh);
     case scene::RadiationModel::kirchhoff:

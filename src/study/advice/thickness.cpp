@@ -14,11 +14,12 @@ namespace idiophone::advice {
 
 namespace {
 
-constexpr std::size_t most_rays = 400;  // from the surface inwards
-constexpr int sideways = 8;             // directions across the thickness
-constexpr double smallest_part = 0.05;  // of the surface
-constexpr double decibels = 9.0;        // where a cell is as large as the section
-constexpr double slack = 1e-9;          // a ray through an edge hits
+constexpr std::size_t most_rays = 400;    // from the surface inwards
+constexpr int sideways = 8;               // directions across the thickness
+constexpr double smallest_part = 0.05;    // of the surface
+constexpr double decibels = 9.0;          // where a cell is as large as the section
+constexpr double thickest_sheet = 0.625;  // cells: what is thinner has two sides in a cell, and only its edges are off
+constexpr double slack = 1e-9;            // a ray through an edge hits
 
 using Corners = mesh::TrianglePoints;
 
@@ -79,16 +80,19 @@ CrossSection smallest_cross_section(std::span<const mesh::Triangle> triangles, s
 }
 
 double level_error(const CrossSection& section, double cell) {
-  return decibels * cell * cell / (section.thickness * section.width);
+  return decibels * cell * cell / (std::max(section.thickness, thickest_sheet * cell) * section.width);
 }
 
 double opposite_parts_from(const CrossSection& section, double cell, double speed) {
   const auto part = [](double level) { return std::pow(10.0, level / 20.0) - 1.0; };
-  return speed * part(level_error(section, cell)) / (2.0 * std::numbers::pi * part(3.0) * section.thickness);
+  return speed * part(level_error(section, cell)) /
+         (2.0 * std::numbers::pi * part(3.0) * std::max(section.thickness, thickest_sheet * cell));
 }
 
 double fine_cell(const CrossSection& section) {
-  return std::sqrt(small_level_error / decibels * section.thickness * section.width);
+  const double of_solids = std::sqrt(small_level_error / decibels * section.thickness * section.width);
+  const double of_sheets = small_level_error / decibels * thickest_sheet * section.width;
+  return std::max(of_solids, of_sheets);
 }
 
 }  // namespace idiophone::advice

@@ -21,7 +21,7 @@ struct CrossSection {
                                                   std::span<const Vector3> nodes);
 
 /// By how much the level of a part that moves to and fro is off at the most with the model waves, dB: 9 h^2/(thickness
-/// width), by measurements of bars (docs/method/waves.md).
+/// width), by measurements of bars (docs/method/waves.md). Sheets, thinner than 5/8 of a cell, count as this thick.
 /// @param cell  h, m
 [[nodiscard]] double level_error(const CrossSection& section, double cell);
 
