@@ -161,6 +161,46 @@ class Tune(program.TestCase):
         self.assertAlmostEqual(decay["decay_time"] / wanted, 1, delta=1e-3)
         self.assertEqual(found["avoided"], [{"lower": 500, "upper": 600, "modes": [], "frequencies": []}])
 
+    def level_of_play(self, deck, blow):
+        """A-weighted sound exposure level of the map's sound of a blow, dB re 20 uPa."""
+        self.require_status(program.idiophone("map", deck, "--output-folder", self.output, "--up-to", "3000"), program.FINISHED)
+        score = self.output / "score.yaml"
+        score.write_text(json.dumps({"duration": 0.5, "listener": {"type": "mono", "position": [0.1, 0, 3]},
+                                     "events": [{"time": 0, "type": "force", "body": "bar", **blow}]}))
+        sound = self.output / "blow.wav"
+        job = program.idiophone("play", self.output / "struck_bar_bar.map.h5", "--score", score, "--output", sound)
+        self.require_status(job, program.FINISHED)
+        full_scale = float(re.search(r"full scale is ([\d.e-]+) Pa", job.stdout + job.stderr)[1])
+        analysed = program.idiophone("analyze", sound, "--json")
+        level = json.loads(analysed.stdout)["channels"][0]["levels"]["exposure"]
+        return level + 20 * math.log10(full_scale / 20e-6)
+
+    @program.long_verification
+    def test_the_level_at_a_listener(self):
+        blow = {"at": [0.02, 0, 0.004], "force": [0, 0, -20], "shape": "half_sine", "duration": 2e-4}
+        deck = self.output / "struck_bar.yaml"
+        deck.write_text(json.dumps({
+            "name": "struck_bar", "time": {"duration": 0.5},
+            "materials": {"aluminium": {"young": 7e10, "poisson": 0.33, "density": 2700, "damping": {"mass": 20}}},
+            "bodies": {"bar": {"mesh": str(program.SOURCE / "meshes/bar.geo"), "element": "hex", "order": {"plane": 3, "thickness": 3}, "material": "aluminium",
+                               "parameters": {"length": 0.2, "width": 0.03, "thickness": 0.008, "size": 0.1}}},
+            "loads": {"tap": {"body": "bar", "balanced": True, **blow}},
+            "listeners": {"ear": {"type": "mono", "position": [0.1, 0, 3]}},
+            "audio": {"rate": 44100, "max_frequency": 3000}, "radiation": {"model": "kirchhoff"}}))
+        tuned = self.output / "tuned.yaml"
+        vary = ["--vary", "bodies.bar.parameters.thickness=0.004:0.012", "--vary", "bodies.bar.parameters.length=0.13:0.25"]
+        wish = ["--target", "1000", "--mode-numbers", "1", "--level-tolerance", "0.2"]
+        job = program.idiophone("tune", deck, *wish, *vary, "--level", "ear=18.5", "-o", tuned, "--json")
+        self.require_status(job, program.FINISHED)
+        (level,) = json.loads(job.stdout)["levels"]
+        self.assertTrue(level["reached"])
+        self.assertAlmostEqual(level["level"], 18.5, delta=0.2)
+        self.assertAlmostEqual(self.level_of_play(tuned, blow), level["level"], delta=0.5)
+        job = program.idiophone("tune", deck, *wish, "--vary", "bodies.bar.parameters.length=0.19:0.21", "--level",
+                                "ear=at_least:90")
+        self.require_status(job, program.FAILED)
+        self.assertRegex(job.stdout + job.stderr, r"the blows have [\d.]+ dB at ear instead of at least 90 dB")
+
     def partials(self, deck, *settings):
         """Frequencies in the run of a deck."""
         arguments = [word for setting in settings for word in ("--set", setting)]
@@ -233,6 +273,9 @@ class Tune(program.TestCase):
                 ([*one, "--decay-time", "2"], "--decay-time 2: expected MODE=SECONDS"),
                 ([*one, "--decay-time", "2=1", "--decay-time", "2=3"], "this mode is given twice"),
                 ([*one, "--decay-tolerance", "0"], "--decay-tolerance must be above 0 percent"),
+                ([*one, "--level", "ear"], "--level ear: expected LISTENER=DB"),
+                ([*one, "--level", "nose=60"], "no listener is called 'nose'"),
+                ([*one, "--level-tolerance", "0"], "--level-tolerance must be above 0 dB"),
                 ([*one, "--avoid", "500:400"], "--avoid 500:400: the lowest frequency must be below the highest"),
                 ([*one, "--avoid", "A4"], "--avoid A4: expected LOWEST:HIGHEST"),
                 ([*one, "--avoid", "A4~50"], "440 Hz is wanted, but 427.474 to 452.893 Hz is to be avoided")):

@@ -133,6 +133,7 @@ class Deck:
              modes: Sequence[int] | None = None, pitch: float | str | None = None, tolerance: float | None = None,
              a4: float | None = None, mass: str | None = None, scatter: dict[str, float | str] | None = None,
              within: float | None = None, decay_times: dict[int, float] | None = None, decay_tolerance: float | None = None,
+             levels: dict[str, float | str] | None = None, level_tolerance: float | None = None,
              avoid: Sequence[str] | None = None) -> Tuning:
         """Numbers of the deck that give modes of a body (default: the first) wanted frequencies (docs/use/tune.md).
 
@@ -140,14 +141,18 @@ class Deck:
         vary: key path -> lowest and highest value. modes: their numbers at the start, from 1 on (default: the lowest ones).
         tolerance: cents. a4: Hz, of the note A4. mass: "lumped" or "consistent". scatter: key path -> standard deviation from body
         to body, in the number's unit or as text in percent, e.g. "2%". within: cents, at which a body counts as in tune.
-        decay_times: number of a mode at the start -> T60, s. decay_tolerance: percent. avoid: where no mode shall be, Hz or notes or
+        decay_times: number of a mode at the start -> T60, s. decay_tolerance: percent. levels: listener -> LAE of
+        the deck's blows in dB, or a limit as text, e.g. {"ears.left": "at_least:70"}. level_tolerance: dB. avoid: where no mode shall be, Hz or notes or
         cents around them, e.g. ["380:420", "A4~50"].
         Where not all is reached, the best values are returned, with `tuned` False. Raises DeckError, ProgramError.
         """
         words = program.options(target=target, body=body, pitch=pitch, tolerance=tolerance,
-                                mode_numbers=modes, a4=a4, mass=mass, within=within, decay_tolerance=decay_tolerance)
+                                mode_numbers=modes, a4=a4, mass=mass, within=within, decay_tolerance=decay_tolerance,
+                                level_tolerance=level_tolerance)
         for mode, seconds in (decay_times or {}).items():
             words += ["--decay-time", f"{mode}={seconds}"]
+        for listener, level in (levels or {}).items():
+            words += ["--level", f"{listener}={level}"]
         for band in avoid or ():
             words += ["--avoid", band]
         for key, (lowest, highest) in vary.items():

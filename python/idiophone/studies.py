@@ -87,6 +87,18 @@ class TunedDecay:
 
 
 @dataclass(frozen=True)
+class TunedLevel:
+    """How loud the deck's blows are at a listener."""
+    listener: str                     #: name of the channel
+    kind: str                         #: of what was wanted: "equal", "at_least" or "at_most"
+    start: float                      #: A-weighted sound exposure level (LAE) at the start, dB re 20 uPa
+    level: float                      #: in the end
+    wanted: float                     #: dB
+    reached: bool                     #: whether it is within the tolerance, or beyond the limit
+    sensitivities: dict[str, float]   #: key -> dB per unit of this number; 0 beyond a limit
+
+
+@dataclass(frozen=True)
 class AvoidedBand:
     """Frequencies that no mode should have."""
     lower: float                #: Hz
@@ -120,6 +132,7 @@ class Tuning:
     bounds: dict[str, str | None]    #: key -> "lower" or "upper" if the number is on this bound
     modes: list[TunedMode]
     decays: list[TunedDecay]
+    levels: list[TunedLevel]
     avoided: list[AvoidedBand]
     in_tune: InTune | None           #: None if no numbers scatter
     solves: int                      #: bodies that were solved
@@ -137,6 +150,7 @@ def tuning(answer: Facts) -> Tuning:
     """From what the program answers."""
     return _made(Tuning, answer, modes=[_made(TunedMode, facts) for facts in answer["modes"]],
                  decays=[_made(TunedDecay, facts) for facts in answer["decays"]],
+                 levels=[_made(TunedLevel, facts) for facts in answer["levels"]],
                  avoided=[_made(AvoidedBand, facts) for facts in answer["avoided"]],
                  in_tune=answer["in_tune"] and in_tune(answer["in_tune"]))
 

@@ -35,6 +35,8 @@ struct TuneOptions {
   double tolerance = 2.0;            ///< cents
   std::vector<std::string> decays;   ///< MODE=SECONDS
   double decay_tolerance = 5.0;      ///< percent
+  std::vector<std::string> levels;   ///< LISTENER=DB, LISTENER=at_least:DB or LISTENER=at_most:DB
+  double level_tolerance = 0.5;      ///< dB
   std::vector<std::string> avoided;  ///< LOWEST:HIGHEST or MIDDLE~CENTS
   std::vector<std::string> scatter;  ///< KEY=DEVIATION
   double within = 5.0;               ///< cents, of a body that is in tune
@@ -58,6 +60,12 @@ void declare(CLI::App& app, TuneOptions& options) {
       ->take_all()
       ->expected(1);
   app.add_option("--decay-tolerance", options.decay_tolerance, "percent, of decay times")->capture_default_str();
+  app.add_option("--level", options.levels,
+                 "LISTENER=DB, LISTENER=at_least:DB or LISTENER=at_most:DB: A-weighted sound exposure level (LAE) of "
+                 "the deck's blows at a listener; may be given again")
+      ->take_all()
+      ->expected(1);
+  app.add_option("--level-tolerance", options.level_tolerance, "dB, of levels")->capture_default_str();
   app.add_option("--avoid", options.avoided,
                  "LOWEST:HIGHEST, Hz or notes, or A4~50, a distance in cents: where no mode shall be; may be given "
                  "again")
@@ -85,6 +93,9 @@ void check_tune(const TuneOptions& options) {
   }
   if (!(options.decay_tolerance > 0 && std::isfinite(options.decay_tolerance))) {
     throw std::runtime_error(fmt::format("--decay-tolerance must be above 0 percent, not {}", options.decay_tolerance));
+  }
+  if (!(options.level_tolerance > 0 && std::isfinite(options.level_tolerance))) {
+    throw std::runtime_error(fmt::format("--level-tolerance must be above 0 dB, not {}", options.level_tolerance));
   }
   if (!(options.within > 0 && std::isfinite(options.within))) {
     throw std::runtime_error(fmt::format("--within must be above 0 cents, not {}", options.within));
@@ -162,8 +173,10 @@ fitting::TuningOptions tuning_options(const TuneOptions& options, const fitting:
                                 .tolerance = options.tolerance,
                                 .decays = wanted_decays(options.decays),
                                 .decay_tolerance = options.decay_tolerance,
+                                .level_tolerance = options.level_tolerance,
                                 .body = options.body,
                                 .mass = options.mass};
+  std::ranges::transform(options.levels, std::back_inserter(wanted.levels), fitting::read_wanted_level);
   std::ranges::transform(options.avoided, std::back_inserter(wanted.avoided),
                          [&](const std::string& text) { return fitting::read_band(text, options.target.a4); });
   return wanted;

@@ -14,9 +14,11 @@ namespace {
 
 using fitting::AvoidedBand;
 using fitting::TunedDecay;
+using fitting::TunedLevel;
 using fitting::TunedMode;
 using fitting::Tuning;
 using fitting::Variable;
+using fitting::WantedLevel;
 
 /// The part of a key after its last point.
 std::string short_name(const std::string& key) {
@@ -87,6 +89,54 @@ void print_decays(const Tuning& tuning, const std::vector<Variable>& variables) 
     fmt::print("\n");
   }
   fmt::print("(decay time: T60, by the material and the supports, without air; under each key: percent per 0.001)\n");
+}
+
+/// "at least 70 dB"
+std::string wanted_text(const WantedLevel& wanted) {
+  switch (wanted.kind) {
+    case WantedLevel::Kind::equal:
+      return fmt::format("{:g} dB", wanted.level);
+    case WantedLevel::Kind::at_least:
+      return fmt::format("at least {:g} dB", wanted.level);
+    case WantedLevel::Kind::at_most:
+      return fmt::format("at most {:g} dB", wanted.level);
+  }
+  return "";
+}
+
+void print_levels(const Tuning& tuning, const std::vector<Variable>& variables) {
+  if (tuning.levels.empty()) {
+    return;
+  }
+  fmt::print("\n{:<16}  {:>12}  {:>12}  {:>16}", "listener", "start/dB", "LAE/dB", "wanted");
+  for (const Variable& variable : variables) {
+    fmt::print("  {:>12}", short_name(variable.key));
+  }
+  fmt::print("\n");
+  for (const TunedLevel& level : tuning.levels) {
+    fmt::print("{:<16}  {:>12.2f}  {:>12.2f}  {:>16}", level.wanted.listener, level.start, level.level,
+               wanted_text(level.wanted));
+    for (const double sensitivity : level.sensitivities) {
+      fmt::print("  {:>+12.4f}", sensitivity * 1e-3);
+    }
+    fmt::print("\n");
+  }
+  fmt::print(
+      "(LAE: A-weighted sound exposure level of the deck's blows, re 20 uPa; under each key: dB per 0.001, 0 beyond a "
+      "limit)\n");
+}
+
+/// "equal", "at_least" or "at_most".
+std::string kind_text(WantedLevel::Kind kind) {
+  switch (kind) {
+    case WantedLevel::Kind::equal:
+      return "equal";
+    case WantedLevel::Kind::at_least:
+      return "at_least";
+    case WantedLevel::Kind::at_most:
+      return "at_most";
+  }
+  return "";
 }
 
 /// "mode 3 at 401.20 Hz, mode 4 at 410.00 Hz"
@@ -161,6 +211,7 @@ void print(const TuningAnswer& answer) {
   print_values(answer.tuning, answer.variables);
   print_modes(answer.tuning, answer.variables);
   print_decays(answer.tuning, answer.variables);
+  print_levels(answer.tuning, answer.variables);
   print_avoided(answer.tuning);
   if (answer.in_tune) {
     print_in_tune(*answer.in_tune, answer.tuning.modes);
@@ -200,6 +251,16 @@ nlohmann::json to_json(const TuningAnswer& answer) {
                                {"percent", decay.percent},
                                {"sensitivities", by_key(decay.sensitivities, variables)}});
   }
+  facts["levels"] = nlohmann::json::array();
+  for (const TunedLevel& level : tuning.levels) {
+    facts["levels"].push_back({{"listener", level.wanted.listener},
+                               {"kind", kind_text(level.wanted.kind)},
+                               {"start", level.start},
+                               {"level", level.level},
+                               {"wanted", level.wanted.level},
+                               {"reached", level.is_reached},
+                               {"sensitivities", by_key(level.sensitivities, variables)}});
+  }
   facts["avoided"] = nlohmann::json::array();
   for (const AvoidedBand& avoided : tuning.avoided) {
     facts["avoided"].push_back({{"lower", avoided.band.lower},
@@ -220,6 +281,12 @@ std::string missed_remark(const Tuning& tuning, double tolerance, double decay_t
     if (std::abs(std::log(decay.decay_time / decay.wanted)) > decay_tolerance / 100) {
       missed.push_back(
           fmt::format("mode {} decays in {:.4g} s instead of {:.4g} s", decay.mode, decay.decay_time, decay.wanted));
+    }
+  }
+  for (const TunedLevel& level : tuning.levels) {
+    if (!level.is_reached) {
+      missed.push_back(fmt::format("the blows have {:.1f} dB at {} instead of {}", level.level, level.wanted.listener,
+                                   wanted_text(level.wanted)));
     }
   }
   for (const AvoidedBand& avoided : tuning.avoided) {

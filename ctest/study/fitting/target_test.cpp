@@ -42,6 +42,19 @@ TEST(Target, RefusesOtherTexts) {
   EXPECT_THROW(static_cast<void>(read_target("187", "F#3", 440)), std::runtime_error);
 }
 
+TEST(Target, Levels) {
+  const WantedLevel equal = read_wanted_level("ears.left=70.5");
+  EXPECT_EQ(equal.listener, "ears.left");
+  EXPECT_EQ(equal.kind, WantedLevel::Kind::equal);
+  EXPECT_EQ(equal.level, 70.5);
+  EXPECT_EQ(read_wanted_level("ear=at_least:70").kind, WantedLevel::Kind::at_least);
+  EXPECT_EQ(read_wanted_level("ear=at_most:-3").kind, WantedLevel::Kind::at_most);
+  EXPECT_EQ(read_wanted_level("ear=at_most:-3").level, -3);
+  for (const char* wrong : {"", "ear", "ear=", "=70", "ear=loud", "ear=at_least:", "ear=below:70", "ear=70=71"}) {
+    EXPECT_THROW(static_cast<void>(read_wanted_level(wrong)), std::runtime_error) << wrong;
+  }
+}
+
 TEST(Target, DecayTimesAndBands) {
   const WantedDecay decay = read_wanted_decay("3=2.5");
   EXPECT_EQ(decay.mode, 3);

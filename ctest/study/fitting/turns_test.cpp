@@ -245,6 +245,47 @@ TEST(Turns, EquivalentsSoundTheSame) {
   }
 }
 
+/// Spruce with other moduli and axes, by chance.
+TurnedMaterial some_spruce(std::mt19937& generator) {
+  std::uniform_real_distribution<double> factor(0.9, 1.1), angle(-25, 25);
+  TurnedMaterial wood = spruce();
+  for (const ElasticConstant& constant : elastic_constants(wood)) {
+    constant.in(wood) *= constant.kind == ConstantKind::modulus ? factor(generator) : 1;
+  }
+  for (double& turn : wood.turns) {
+    turn = angle(generator);
+  }
+  return wood;
+}
+
+// Nine constants and three turns are much for one body: many fits end in wrong minima. Signs are those of an
+// equivalent.
+TEST(Turns, NoFitOfWoodIsWrongWithoutADoubt) {
+  LONG_VERIFICATION();
+  constexpr int bodies = 20;
+  std::mt19937 generator(1);
+  std::normal_distribution<double> error(0, 2);
+  const StrainedBody body = free_body(turned_block_of(spruce())).reduced(120);
+  int right = 0, doubted = 0;
+  for (int n = 0; n < bodies; ++n) {
+    const TurnedMaterial wood = some_spruce(generator);
+    Measurements measured = lines_of_turned(body, wood, 40, 0);
+    for (Line& line : measured.lines) {
+      line.frequency *= std::exp2(error(generator) / 1200);
+    }
+    std::ranges::sort(measured.lines, {}, &Line::frequency);
+    const Identification found = identify(body, measured, {.constants = {"constants", "turns"}});
+    const bool is_right = (turns_found(found).cwiseAbs() - wood.turns.cwiseAbs()).lpNorm<Eigen::Infinity>() < 1;
+    EXPECT_TRUE(is_right || !found.doubts.empty()) << "body " << n;
+    right += is_right ? 1 : 0;
+    doubted += found.doubts.empty() ? 0 : 1;
+    std::printf("%d: %d solves, chi-squared %.1f of %d\n", n, found.solves, found.chi_squared, found.freedom);
+  }
+  std::printf("%d of %d fits of wood are right, and %d are doubted\n", right, bodies, doubted);
+  EXPECT_GE(right, bodies / 2);
+  EXPECT_LE(right + doubted, bodies) << "no right fit is doubted";
+}
+
 // Each is as likely as the other three, so the nearest counts.
 TEST(Turns, IntervalsHoldTheTruth) {
   LONG_VERIFICATION();

@@ -17,9 +17,6 @@ constexpr double settled = 3e-4;  // at the end; what is left is the square of i
 constexpr int most_turns = 12;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// The search was told to stop.
-struct Stopped {};
-
 }  // namespace
 
 double distance(const ElasticConstants& constants, const TurnedMaterial& a, const TurnedMaterial& b) {
@@ -52,11 +49,7 @@ MaterialFit::MaterialFit(StrainedBody body, const Measurements& measured, const 
 
 void MaterialFit::run(Identification& result) {
   try {
-    begin();
-    refine();
-    choose();
-    weigh();
-    settle();
+    search();
   } catch (const Stopped&) {
     result.stopped = true;
     result.doubts.push_back(

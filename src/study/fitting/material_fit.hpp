@@ -24,6 +24,9 @@ inline constexpr double first_tolerance = 200.0;  // cents; halved with each sol
 /// The largest change of an unknown between two materials.
 [[nodiscard]] double distance(const ElasticConstants& constants, const TurnedMaterial& a, const TurnedMaterial& b);
 
+/// The search was told to stop.
+struct Stopped {};
+
 /// A fit in progress.
 class MaterialFit {
  public:
@@ -60,7 +63,12 @@ class MaterialFit {
     std::vector<bool> is_measured;  ///< [multiplets]
   };
 
-  void begin();
+  void search();
+  [[nodiscard]] std::vector<Start> begin();
+  void fit_from(const Start& start);
+  [[nodiscard]] bool is_believable() const;
+  [[nodiscard]] double cost() const;
+  void take(MaterialFit other);
   [[nodiscard]] int starting_turns() const;
   [[nodiscard]] std::vector<TurnedMaterial> turned_starts() const;
   [[nodiscard]] std::vector<Start> find_starts(const std::vector<Line>& lowest, StrainedBody& body);
@@ -104,10 +112,10 @@ class MaterialFit {
   [[nodiscard]] bool has_stayed(const TurnedMaterial& before, double within) const;
   void tell(Identification& result) const;
 
-  const IdentificationOptions& options_;
+  IdentificationOptions options_;
   StrainedBody body_;
   TurnedMaterial start_, material_;
-  const std::vector<Line>& measured_;
+  std::vector<Line> measured_;
   std::vector<Line> lines_;  ///< to be fitted
   double highest_ = 0.0;     ///< of all lines, Hz
   ElasticConstants constants_;

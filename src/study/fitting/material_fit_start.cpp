@@ -26,8 +26,8 @@ std::vector<double> distances_around(bool may_cross) {
 }  // namespace
 
 /// From the lowest lines and modes, on a coarser mesh where that is possible, until the modes belong to about the
-/// constants that they give. Of several turns of the axes, those that fit best are tried.
-void MaterialFit::begin() {
+/// constants that they give. Of several turns of the axes, those that fit best are tried. @return the best first
+std::vector<MaterialFit::Start> MaterialFit::begin() {
   constexpr std::size_t most_tried = 10;
   const std::vector<Line> lowest(lines_.begin(), lines_.begin() + std::min(first_lines, lines_.size()));
   std::optional<StrainedBody> coarser = body_.coarser();
@@ -47,7 +47,8 @@ void MaterialFit::begin() {
     }
     least = std::min(least, start.cost);
   }
-  keep(*std::ranges::min_element(starts, {}, &Start::cost));
+  std::ranges::stable_sort(starts, {}, &Start::cost);
+  return starts;
 }
 
 void MaterialFit::solve_lowest(StrainedBody& body, const TurnedMaterial& material, std::size_t lines) {

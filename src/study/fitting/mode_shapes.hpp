@@ -13,6 +13,7 @@ struct ModeShapes {
   std::vector<double> frequencies;      ///< Hz, ascending
   std::vector<double> decay_times;      ///< T60, s; infinite where nothing damps a mode
   std::vector<Eigen::VectorXd> shapes;  ///< [modes][3 x nodes] displacement at the nodes
+  std::vector<double> levels = {};      ///< [TuningOptions::levels] of the blows, dB; empty if none is wanted
   Eigen::Matrix3Xd places;              ///< [3 x nodes] of the nodes in the body's box, 0 to 1 along each side
 };
 

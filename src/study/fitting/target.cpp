@@ -89,6 +89,21 @@ WantedDecay read_wanted_decay(const std::string& text) {
   return {static_cast<int>(*mode), *seconds};
 }
 
+WantedLevel read_wanted_level(const std::string& text) {
+  static const std::regex form(R"(([^=]+)=(at_least:|at_most:)?([-+]?[0-9]*\.?[0-9]+))");
+  std::smatch parts;
+  if (!std::regex_match(text, parts, form)) {
+    throw std::runtime_error(
+        fmt::format("--level {}: expected LISTENER=DB, LISTENER=at_least:DB or LISTENER=at_most:DB, e.g. "
+                    "ears.left=at_least:70",
+                    text));
+  }
+  const auto kind = !parts[2].matched               ? WantedLevel::Kind::equal
+                    : parts[2].str() == "at_least:" ? WantedLevel::Kind::at_least
+                                                    : WantedLevel::Kind::at_most;
+  return {.listener = parts[1], .kind = kind, .level = std::stod(parts[3])};
+}
+
 Band read_band(const std::string& text, double a4) {
   const std::vector<std::string> bounds = split(text, ':');
   if (bounds.size() == 2) {

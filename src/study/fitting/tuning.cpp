@@ -7,6 +7,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "blow_levels.hpp"
 #include "halton_point.hpp"
 #include "least_squares.hpp"
 #include "tracked_modes.hpp"
@@ -162,8 +163,15 @@ class Search {
 
   ModeShapes mode_shapes_at(const VectorXd& point) {
     ++solves_;
-    return shapes_up_to(std::ranges::max(wishes_.numbers()), body_of(scene_of_(values_at(point)), options_.body),
-                        options_.mass, wishes_.up_to());
+    const scene::Scene scene = scene_of_(values_at(point));
+    ModeShapes shapes = shapes_up_to(std::ranges::max(wishes_.numbers()), body_of(scene, options_.body), options_.mass,
+                                     wishes_.up_to());
+    if (!options_.levels.empty()) {
+      std::vector<std::string> listeners;
+      std::ranges::transform(options_.levels, std::back_inserter(listeners), &WantedLevel::listener);
+      shapes.levels = blow_levels(scene, options_.body, listeners, options_.mass);
+    }
+    return shapes;
   }
 
   /// Of the best body, cents; NaN if the user does not want to wait. [its modes up to the highest tuned one]
@@ -247,6 +255,7 @@ class Search {
       result.sensitivities.emplace_back(row.begin(), row.end());
     }
     result.decays = wishes_.decays(start, best, slopes);
+    result.levels = wishes_.levels(start.body, best.body, slopes);
     result.avoided = wishes_.avoided(best.body);
     result.is_tuned = is_tuned();
     return result;

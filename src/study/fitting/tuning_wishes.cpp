@@ -62,6 +62,20 @@ double Wishes::decay_time(const TrackedModes& body, const WantedDecay& wanted) c
   return body.body.decay_times[static_cast<std::size_t>(body.modes[static_cast<std::size_t>(place)])];
 }
 
+/// How far a level is from the wanted one, dB. One that is at the tolerance from a limit keeps the limit.
+double Wishes::level_error(const WantedLevel& wanted, double level) const {
+  const double above = level - wanted.level;
+  switch (wanted.kind) {
+    case WantedLevel::Kind::equal:
+      return above;
+    case WantedLevel::Kind::at_least:
+      return std::min(0.0, above - options_.level_tolerance);
+    case WantedLevel::Kind::at_most:
+      return std::max(0.0, above + options_.level_tolerance);
+  }
+  return above;
+}
+
 Eigen::VectorXd Wishes::measures(const TrackedModes& body) const {
   std::vector<double> all;
   const Eigen::VectorXd cents = cents_above(target_, body);
@@ -75,6 +89,9 @@ Eigen::VectorXd Wishes::measures(const TrackedModes& body) const {
                       wanted.mode));
     }
     all.push_back(100 * std::log(now / wanted.decay_time) * cents_per_percent());
+  }
+  for (std::size_t i = 0; i < options_.levels.size(); ++i) {
+    all.push_back(level_error(options_.levels[i], body.body.levels[i]) * cents_per_decibel());
   }
   for (const Band& band : options_.avoided) {
     all.push_back(depth(body.body.frequencies, widened(band, options_.tolerance)));
@@ -109,6 +126,22 @@ std::vector<TunedDecay> Wishes::decays(const TrackedModes& start, const TrackedM
                      .wanted = wanted.decay_time,
                      .percent = 100 * (now / wanted.decay_time - 1),
                      .sensitivities = {percents.begin(), percents.end()}});
+  }
+  return found;
+}
+
+std::vector<TunedLevel> Wishes::levels(const ModeShapes& start, const ModeShapes& body,
+                                       const Eigen::MatrixXd& slopes) const {
+  std::vector<TunedLevel> found;
+  for (std::size_t i = 0; i < options_.levels.size(); ++i) {
+    const Eigen::VectorXd decibels =
+        slopes.row(static_cast<Eigen::Index>(target_.values.size() + options_.decays.size() + i)) / cents_per_decibel();
+    found.push_back(
+        {.wanted = options_.levels[i],
+         .start = start.levels[i],
+         .level = body.levels[i],
+         .is_reached = std::abs(level_error(options_.levels[i], body.levels[i])) <= options_.level_tolerance,
+         .sensitivities = {decibels.begin(), decibels.end()}});
   }
   return found;
 }

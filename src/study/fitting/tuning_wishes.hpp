@@ -1,5 +1,5 @@
 #pragma once
-// How far a body is from what a search shall tune it to: frequencies, decay times, and bands without modes.
+// How far a body is from what a search shall tune it to: frequencies, decay times, levels, and bands without modes.
 
 #include <Eigen/Core>
 #include <vector>
@@ -21,9 +21,10 @@ class Wishes {
   /// All modes up to there matter, Hz; 0 if no band is to be avoided.
   [[nodiscard]] double up_to() const;
 
-  /// How far a body is from each wish: cents of the target's modes, then of decay times, then of bands. Decay times
-  /// count in units in which their tolerance is as large as that of the cents. Of a band, it is the root of the sum of
-  /// the squares of how deep modes are in it: the cents to its nearer end, from the tolerance outside. [wishes]
+  /// How far a body is from each wish: cents of the target's modes, then of decay times, of levels, and of bands. Decay
+  /// times and levels count in units in which their tolerance is as large as that of the cents. Of a band, it is the
+  /// root of the sum of the squares of how deep modes are in it: the cents to its nearer end, from the tolerance
+  /// outside. [wishes]
   /// @throws std::runtime_error if nothing damps a mode whose decay time is wanted
   [[nodiscard]] Eigen::VectorXd measures(const TrackedModes& body) const;
 
@@ -39,11 +40,18 @@ class Wishes {
   [[nodiscard]] std::vector<TunedDecay> decays(const TrackedModes& start, const TrackedModes& body,
                                                const Eigen::MatrixXd& slopes) const;
 
+  /// The levels of a body, and of one that the search began with.
+  /// @param slopes  as for decays()
+  [[nodiscard]] std::vector<TunedLevel> levels(const ModeShapes& start, const ModeShapes& body,
+                                               const Eigen::MatrixXd& slopes) const;
+
   /// What is in the bands of a body.
   [[nodiscard]] std::vector<AvoidedBand> avoided(const ModeShapes& body) const;
 
  private:
   [[nodiscard]] double decay_time(const TrackedModes& body, const WantedDecay& wanted) const;
+  [[nodiscard]] double level_error(const WantedLevel& wanted, double level) const;
+  [[nodiscard]] double cents_per_decibel() const { return options_.tolerance / options_.level_tolerance; }
   [[nodiscard]] double cents_per_percent() const { return options_.tolerance / options_.decay_tolerance; }
 
   const Target& target_;

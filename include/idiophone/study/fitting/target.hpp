@@ -35,6 +35,18 @@ struct WantedDecay {
 /// @throws std::runtime_error for any other text
 [[nodiscard]] WantedDecay read_wanted_decay(const std::string& text);
 
+/// How loud the blows of the deck shall be at a listener.
+struct WantedLevel {
+  enum class Kind { equal, at_least, at_most };
+  std::string listener;  ///< name of the channel: "ear", "ears.left"
+  Kind kind = Kind::equal;
+  double level = 0.0;  ///< A-weighted sound exposure level (LAE), dB re 20 uPa
+};
+
+/// @param text  LISTENER=DB, LISTENER=at_least:DB or LISTENER=at_most:DB
+/// @throws std::runtime_error for any other text
+[[nodiscard]] WantedLevel read_wanted_level(const std::string& text);
+
 /// Frequencies that no mode shall have, Hz.
 struct Band {
   double lower = 0.0;

@@ -16,6 +16,8 @@ struct TuningOptions {
   double tolerance = 2.0;  ///< cents
   std::vector<WantedDecay> decays = {};  ///< of any modes
   double decay_tolerance = 5.0;          ///< percent
+  std::vector<WantedLevel> levels = {};  ///< of the deck's blows on the body
+  double level_tolerance = 0.5;          ///< dB
   std::vector<Band> avoided = {};        ///< where no mode shall be in the end, tuned or not
   std::string body = {};                 ///< that is tuned; empty for the first
   eigenmodes::MassMatrix mass = eigenmodes::MassMatrix::lumped;
@@ -48,6 +50,15 @@ struct TunedDecay {
   std::vector<double> sensitivities = {};  ///< [variables] percent per unit of the variable
 };
 
+/// How loud the blows are at a listener.
+struct TunedLevel {
+  WantedLevel wanted;
+  double start = 0.0;                      ///< LAE at the start, dB re 20 uPa
+  double level = 0.0;                      ///< now, dB
+  bool is_reached = false;                 ///< within the tolerance, or beyond the limit
+  std::vector<double> sensitivities = {};  ///< [variables] dB per unit of the variable; 0 beyond a limit
+};
+
 /// What sounds in a band that is to be avoided.
 struct AvoidedBand {
   Band band;
@@ -61,8 +72,9 @@ struct Tuning {
   std::vector<TunedMode> modes = {};                    ///< in the target's order
   std::vector<std::vector<double>> sensitivities = {};  ///< [modes][variables] cents per unit of the variable
   std::vector<TunedDecay> decays = {};                  ///< [TuningOptions::decays]
+  std::vector<TunedLevel> levels = {};                  ///< [TuningOptions::levels]
   std::vector<AvoidedBand> avoided = {};                ///< [TuningOptions::avoided]
-  bool is_tuned = false;     ///< all modes and decays are within the tolerances, and no mode is in an avoided band
+  bool is_tuned = false;  ///< all modes, decays and levels are within the tolerances, and no mode is in an avoided band
   std::string refusal = {};  ///< why the last shape that was refused can't be, if one was
   int solves = 0;            ///< bodies meshed and solved
   bool stopped = false;      ///< the watch ended the search
@@ -73,10 +85,11 @@ struct Tuning {
 /// by the modal assurance criterion with the last accepted shape, sampled at the same places relative to the body's
 /// box. A search that ends outside the tolerance begins again at other points between the bounds (Halton 1960), to
 /// which the modes are followed from the start; the best end counts. Decay times are those by the material and the
-/// supports, without air. On this rank alone.
+/// supports, without air. Levels are those of the sound map that `idiophone map` would make. On this rank alone.
 /// @throws std::runtime_error if a target's frequency is to be avoided, if nothing damps a mode whose decay time is
-///         wanted, or if a mode can't be recognised next to the start; what `scene_of`, mesh::read_mesh() and
-///         eigenmodes::find_modes() throw there
+///         wanted, if a level is wanted at a listener that the deck has not, or if a mode can't be recognised next to
+///         the start; deck::DeckError if a level is wanted of a body without forces; what `scene_of`, mesh::read_mesh()
+///         and eigenmodes::find_modes() throw there
 [[nodiscard]] Tuning tune(const SceneOf& scene_of, const std::vector<Variable>& variables, const Target& target,
                           const TuningOptions& options);
 
