@@ -360,7 +360,7 @@ TEST(StageProxies, ALateStepMakesAPauseWithoutAClick) {
 /// As in a game that plays on behind its menu.
 TEST(StageProxies, AFirstOneJoinsAfterALongPause) {
   EngineStage stage(options(), {sheet_map()}, {steel});
-  std::vector<double> silence(10 * rate);
+  std::vector<double> silence(10UL * rate);
   stage.render(silence);
   const std::size_t body = stage.add(cube());
   stage.render(silence);
