@@ -351,7 +351,7 @@ TEST(StageProxies, ALateStepMakesAPauseWithoutAClick) {
   EXPECT_LE(steepest({sound.begin() + frames, sound.end()}),
             1.01 * steepest({expected.begin() + frames, expected.end()}));
   double difference = 0.0;
-  for (std::size_t i = 4 * frames; i < 6 * frames; ++i) {
+  for (std::size_t i = 4UL * frames; i < 6UL * frames; ++i) {
     difference = std::max(difference, std::abs(sound[i + frames] - expected[i]));
   }
   EXPECT_LT(difference, 1e-6 * peak(expected)) << "what rang goes on where it was";
