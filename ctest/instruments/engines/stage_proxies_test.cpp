@@ -351,7 +351,7 @@ TEST(StageProxies, ALateStepMakesAPauseWithoutAClick) {
   EXPECT_LE(steepest({sound.begin() + frames, sound.end()}),
             1.01 * steepest({expected.begin() + frames, expected.end()}));
   double difference = 0.0;
-  for (std::size_t i = 4 * frames; i < 6 * frames; ++i) {
+  for (std::size_t i = 4UL * frames; i < 6UL * frames; ++i) {
     difference = std::max(difference, std::abs(sound[i + frames] - expected[i]));
   }
   EXPECT_LT(difference, 1e-6 * peak(expected)) << "what rang goes on where it was";
@@ -360,7 +360,7 @@ TEST(StageProxies, ALateStepMakesAPauseWithoutAClick) {
 /// As in a game that plays on behind its menu.
 TEST(StageProxies, AFirstOneJoinsAfterALongPause) {
   EngineStage stage(options(), {sheet_map()}, {steel});
-  std::vector<double> silence(10 * rate);
+  std::vector<double> silence(10UL * rate);
   stage.render(silence);
   const std::size_t body = stage.add(cube());
   stage.render(silence);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <stdexcept>
 
 #include "idiophone/instruments/touching/vectors.hpp"
@@ -83,9 +84,12 @@ void check_tuning(const Tuning& tuning) {
           "a tuning has a tension from 1e-4 to 1e4, a friction from 0 to 1e6 and a size from 0.01 to 100");
 }
 
-void check_ears(std::span<const Triple> ears) {
+std::vector<Vector3> checked(std::span<const Triple> ears) {
   require(std::ranges::all_of(ears, is_finite),
           "an ear is not at a place: its coordinates have to be from -1e6 to 1e6 m");
+  std::vector<Vector3> places;
+  std::ranges::transform(ears, std::back_inserter(places), vector_of);
+  return places;
 }
 
 void check_pose(std::size_t body, const Pose& pose, std::size_t bodies) {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "idiophone/foundation/types.hpp"
 #include "idiophone/instruments/engines/engine_stage.hpp"
 
 namespace idiophone::engines {
@@ -23,11 +24,12 @@ void require(bool good, const char* problem);
 [[nodiscard]] StageOptions checked(StageOptions options);
 [[nodiscard]] const std::vector<SharedMap>& checked(const std::vector<SharedMap>& bodies);
 [[nodiscard]] std::vector<Surface> checked(std::vector<Surface> surfaces);
+/// As vectors.
+[[nodiscard]] std::vector<Vector3> checked(std::span<const Triple> ears);
 
 /// @param number  for the message
 void check_surface(const Surface& surface, std::size_t number);
 void check_tuning(const Tuning& tuning);
-void check_ears(std::span<const Triple> ears);
 /// @param bodies  of the stage
 void check_pose(std::size_t body, const Pose& pose, std::size_t bodies);
 /// @param bodies, surfaces  of the stage
