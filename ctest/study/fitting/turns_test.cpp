@@ -266,7 +266,7 @@ TEST(Turns, NoFitOfWoodIsWrongWithoutADoubt) {
   std::mt19937 generator(1);
   std::normal_distribution<double> error(0, 2);
   const StrainedBody body = free_body(turned_block_of(spruce())).reduced(120);
-  int right = 0, doubted = 0;
+  int accepted = 0;
   for (int n = 0; n < bodies; ++n) {
     const TurnedMaterial wood = some_spruce(generator);
     Measurements measured = lines_of_turned(body, wood, 40, 0);
@@ -277,13 +277,11 @@ TEST(Turns, NoFitOfWoodIsWrongWithoutADoubt) {
     const Identification found = identify(body, measured, {.constants = {"constants", "turns"}});
     const bool is_right = (turns_found(found).cwiseAbs() - wood.turns.cwiseAbs()).lpNorm<Eigen::Infinity>() < 1;
     EXPECT_TRUE(is_right || !found.doubts.empty()) << "body " << n;
-    right += is_right ? 1 : 0;
-    doubted += found.doubts.empty() ? 0 : 1;
+    accepted += found.doubts.empty() ? 1 : 0;
     std::printf("%d: %d solves, chi-squared %.1f of %d\n", n, found.solves, found.chi_squared, found.freedom);
   }
-  std::printf("%d of %d fits of wood are right, and %d are doubted\n", right, bodies, doubted);
-  EXPECT_GE(right, bodies / 2);
-  EXPECT_LE(right + doubted, bodies) << "no right fit is doubted";
+  std::printf("%d of %d fits of wood are accepted\n", accepted, bodies);
+  EXPECT_GE(accepted, bodies / 2);
 }
 
 // Each is as likely as the other three, so the nearest counts.

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
-#include <ranges>
 #include <stdexcept>
 
 #include "idiophone/foundation/deck/location.hpp"
@@ -44,21 +43,27 @@ void require_listeners(const scene::Scene& scene, const std::vector<std::string>
   }
 }
 
+/// Refuses plucks or bows on a body.
+template <class Loads>
+void require_none(const Loads& loads, std::size_t body) {
+  for (const auto& load : loads) {
+    if (load.body == body) {
+      throw deck::DeckError(load.place.where,
+                            fmt::format("load {} is no force that ends, and the level of a blow is wanted: it needs "
+                                        "loads of type force",
+                                        load.name));
+    }
+  }
+}
+
 /// The forces on a body. A map knows the sound of nothing else.
 std::vector<sound_maps::Blow> blows_on(const scene::Scene& scene, std::size_t body) {
-  const auto is_on_it = [body](const auto& load) { return load.body == body; };
-  const auto refuse = [](const auto& load) {
-    throw deck::DeckError(load.place.where,
-                          fmt::format("load {} is no force that ends, and the level of a blow is wanted: it needs "
-                                      "loads of type force",
-                                      load.name));
-  };
-  std::ranges::for_each(scene.plucks | std::views::filter(is_on_it), refuse);
-  std::ranges::for_each(scene.bows | std::views::filter(is_on_it), refuse);
+  require_none(scene.plucks, body);
+  require_none(scene.bows, body);
   std::vector<sound_maps::Blow> blows;
-  for (const scene::ForcePulse& pulse : scene.pulses | std::views::filter(is_on_it)) {
+  for (const scene::ForcePulse& pulse : scene.pulses) {
     const double strength = pulse.force.norm();
-    if (strength > 0.0) {
+    if (pulse.body == body && strength > 0.0) {
       blows.push_back({.at = pulse.place.at,
                        .direction = pulse.force / strength,
                        .force = [signal = pulse.signal, strength](double time) { return strength * signal.at(time); },

@@ -1,7 +1,6 @@
 // From which start a fit goes on.
 
 #include <algorithm>
-#include <ranges>
 #include <stdexcept>
 #include <utility>
 
@@ -21,17 +20,14 @@ void MaterialFit::search() {
   }
   MaterialFit best = *this;
   try {
-    for (const Start& start : starts | std::views::drop(1)) {
+    for (std::size_t next = 1; next < starts.size() && !best.is_believable(); ++next) {
       try {
-        fit_from(start);
+        fit_from(starts[next]);
       } catch (const std::runtime_error&) {  // no line has a mode, or the material is hardly stable
         continue;
       }
       if (cost() < best.cost()) {
         best = *this;
-      }
-      if (best.is_believable()) {
-        break;
       }
     }
   } catch (const Stopped&) {
