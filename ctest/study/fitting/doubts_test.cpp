@@ -76,6 +76,15 @@ TEST(Doubts, AreNotOfResidualsThatTheMeshExplains) {
   EXPECT_FALSE(fit_with(7, 3).doubts.empty());
 }
 
+TEST(Doubts, AreOfResidualsThatOnlyACoarseMeshExplains) {
+  EXPECT_THAT(fit_with(8.9, 30).doubts, IsEmpty());
+  const Identification hidden = fit_with(9.1, 30);
+  EXPECT_LT(hidden.chi_squared, 2);
+  ASSERT_EQ(hidden.doubts.size(), 1U);
+  EXPECT_THAT(hidden.doubts[0], HasSubstr("9.1 cents away from their modes"));
+  EXPECT_THAT(hidden.doubts[0], HasSubstr("The errors of the mesh, 30.0, may explain that"));
+}
+
 // The grain is turned so far that no start of the search leads there. The constants make up for it, but not well
 // enough.
 TEST(Doubts, AreOfAFitInAWrongMinimum) {

@@ -52,17 +52,30 @@ void doubt_false_lines(double tolerance, Identification& result) {
   }
 }
 
-/// A fit in a wrong minimum has such residuals, or one of a body that is not the deck's.
+/// A fit in a wrong minimum has such residuals, or one of a body that is not the deck's. Large errors of the mesh can
+/// hide both, so what only they explain is not accepted either.
 void doubt_large_residuals(Identification& result) {
+  if (!result.fitted_rms) {
+    return;
+  }
+  const double uncertainty = *rms_of(result.lines, is_fitted, [](const auto& line) { return line.line.uncertainty; });
+  const double mesh_error = *rms_of(result.lines, is_fitted, [](const auto& line) { return line.mesh_error; });
   const double limit = largest_believable(result.freedom);
+  const double times_uncertainty =
+      *rms_of(result.lines, is_fitted, [](const auto& line) { return line.cents / line.line.uncertainty; });
+  constexpr double most_uncertainties = 3.0;
   if (result.chi_squared > limit) {
     result.doubts.push_back(fmt::format(
         "the fitted lines are {:.1f} cents away from their modes, and their uncertainties are {:.1f} and the errors of "
         "the mesh {:.1f} (root mean squares). Chi-squared is {:.1f}, with {} degrees of freedom; in 999 of 1000 right "
         "fits it is below {:.1f}. The search may have ended in a wrong minimum: begin with other values in the deck",
-        *result.fitted_rms, *rms_of(result.lines, is_fitted, [](const auto& line) { return line.line.uncertainty; }),
-        *rms_of(result.lines, is_fitted, [](const auto& line) { return line.mesh_error; }), result.chi_squared,
-        result.freedom, limit));
+        *result.fitted_rms, uncertainty, mesh_error, result.chi_squared, result.freedom, limit));
+  } else if (times_uncertainty > most_uncertainties) {
+    result.doubts.push_back(
+        fmt::format("the fitted lines are {:.1f} cents away from their modes, and their uncertainties are {:.1f} (root "
+                    "mean squares). The "
+                    "errors of the mesh, {:.1f}, may explain that, or hide a wrong fit: make the mesh finer",
+                    *result.fitted_rms, uncertainty, mesh_error));
   }
 }
 
