@@ -57,9 +57,9 @@ void SoundMapVoices::add(std::size_t number, const std::shared_ptr<const sound_m
   roster_->join(number, std::move(joins));
 }
 
-void SoundMapVoices::remove(std::size_t number) {
+void SoundMapVoices::remove(std::size_t body) {
   require_no_head();
-  roster_->leave(number);
+  roster_->leave(body);
 }
 
 void SoundMapVoices::require_no_head() const {
@@ -248,6 +248,7 @@ Audience audience_of(const std::vector<sound_maps::SoundMap>& maps) {
 
 std::vector<std::shared_ptr<const sound_maps::SoundMap>> shared_maps(std::vector<sound_maps::SoundMap> maps) {
   std::vector<std::shared_ptr<const sound_maps::SoundMap>> shared;
+  shared.reserve(maps.size());
   for (sound_maps::SoundMap& map : maps) {
     shared.push_back(std::make_shared<const sound_maps::SoundMap>(std::move(map)));
   }

@@ -26,6 +26,14 @@ struct Fit {
   [[nodiscard]] Eigen::Index unknowns() const { return logarithms.size(); }
 };
 
+scene::LossFactor loss_of(const Places& places, const Eigen::VectorXd& logarithms) {
+  const auto value = [&](std::size_t direction) { return std::exp(logarithms[places.at(direction)]); };
+  scene::LossFactor loss;
+  loss.value = std::exp(logarithms.maxCoeff());
+  loss.directions = {{value(0), value(1), value(2)}, {value(3), value(4), value(5)}};
+  return loss;
+}
+
 class DirectionalDecays {
  public:
   DirectionalDecays(const scene::Material& material, const Eigen::Matrix3d& axes,
@@ -33,18 +41,6 @@ class DirectionalDecays {
       : oriented_{.material = material, .axes = axes},
         stiffness_(solid::stiffness_matrix(solid::elasticity(material, axes))),
         decays_(decays) {}
-
-  [[nodiscard]] scene::LossFactor loss_of(const Places& places, const Eigen::VectorXd& logarithms) const {
-    scene::DirectionalLoss directions;
-    for (int d = 0; d < 3; ++d) {
-      directions.young[d] = std::exp(logarithms[places.at(static_cast<std::size_t>(d))]);
-      directions.shear[d] = std::exp(logarithms[places.at(static_cast<std::size_t>(3 + d))]);
-    }
-    scene::LossFactor loss;
-    loss.value = std::exp(logarithms.maxCoeff());
-    loss.directions = directions;
-    return loss;
-  }
 
   /// Relative errors of the rates, [decays].
   [[nodiscard]] Eigen::VectorXd errors(const Places& places, const Eigen::VectorXd& logarithms) const {
@@ -125,7 +121,7 @@ std::optional<DirectionalLossFit> fit_directional_loss(const scene::Material& ma
   if (fit.unknowns() == 1) {
     return {};
   }
-  return DirectionalLossFit{directional.loss_of(fit.places, fit.logarithms), fit.squares};
+  return DirectionalLossFit{loss_of(fit.places, fit.logarithms), fit.squares};
 }
 
 }  // namespace idiophone::fitting
