@@ -1,6 +1,8 @@
 #pragma once
 // Stages of sheets, and what is done on them.
 
+#include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "idiophone/instruments/engines/engine_stage.hpp"
@@ -34,6 +36,24 @@ inline std::vector<double> heard(EngineStage& stage, int steps = 1) {
     sound.insert(sound.end(), block.begin(), block.end());
   }
   return sound;
+}
+
+/// The largest magnitude of a sample.
+inline double peak(const std::vector<double>& sound) {
+  double found = 0.0;
+  for (const double pa : sound) {
+    found = std::max(found, std::abs(pa));
+  }
+  return found;
+}
+
+/// The largest jump from one sample to the next.
+inline double steepest(const std::vector<double>& sound) {
+  double found = 0.0;
+  for (std::size_t i = 1; i < sound.size(); ++i) {
+    found = std::max(found, std::abs(sound[i] - sound[i - 1]));
+  }
+  return found;
 }
 
 }  // namespace idiophone::engines

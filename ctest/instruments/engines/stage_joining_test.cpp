@@ -55,28 +55,12 @@ std::vector<double> two_bodies(int joins, double budget) {
   return sound;
 }
 
-double highest(const std::vector<double>& sound) {
-  double found = 0.0;
-  for (const double pa : sound) {
-    found = std::max(found, std::abs(pa));
-  }
-  return found;
-}
-
-double highest_jump(const std::vector<double>& sound) {
-  double found = 0.0;
-  for (std::size_t i = 1; i < sound.size(); ++i) {
-    found = std::max(found, std::abs(sound[i] - sound[i - 1]));
-  }
-  return found;
-}
-
 }  // namespace
 
 TEST(StageJoining, WhoJoinsSoundsAsIfItHadBeenThere) {
   for (const double budget : {std::numeric_limits<double>::infinity(), 0.5, 0.004}) {
     const std::vector<double> expected = two_bodies(-1, budget);
-    EXPECT_GT(highest(expected), 1e-3);
+    EXPECT_GT(peak(expected), 1e-3);
     EXPECT_EQ(two_bodies(3, budget), expected) << budget;
     EXPECT_EQ(two_bodies(10, budget), expected) << budget;
   }
@@ -97,7 +81,7 @@ TEST(StageJoining, WhoLeavesFadesAndOthersGoOn) {
   EXPECT_EQ(heard(stage), heard(whole));
   stage.remove(1);
   const std::vector<double> fading = heard(stage, 2), expected = heard(whole, 2), rest = heard(alone, 2);
-  EXPECT_LE(highest_jump(fading), 1.01 * highest_jump(expected));
+  EXPECT_LE(steepest(fading), 1.01 * steepest(expected));
   EXPECT_NE(fading, expected);
   EXPECT_NE(fading[200], rest[200]) << "it is heard while it fades";
   EXPECT_EQ(heard(stage, 10), heard(alone, 10)) << "nothing is left of it";
@@ -117,7 +101,7 @@ TEST(StageJoining, ANumberIsFreeWhenItsBodyHasFaded) {
   heard(stage, 5);
   EXPECT_EQ(stage.add(other), 0U);
   stage.contact(blow_at(0));
-  EXPECT_GT(highest(heard(stage)), 1e-3) << "the new one sounds";
+  EXPECT_GT(peak(heard(stage)), 1e-3) << "the new one sounds";
   stage.remove(0);
   stage.remove(2);
   heard(stage, 6);
@@ -135,9 +119,9 @@ TEST(StageJoining, WhoHasLeftStaysSilent) {
     heard(stage);
   }
   stage.remove(0);
-  EXPECT_GT(highest(heard(stage)), 0.0);
+  EXPECT_GT(peak(heard(stage)), 0.0);
   heard(stage, 2);
-  EXPECT_EQ(highest(heard(stage, 20)), 0.0);
+  EXPECT_EQ(peak(heard(stage, 20)), 0.0);
 }
 
 TEST(StageJoining, WhatRestedOnABodyThatLeavesIsNotStruck) {
@@ -159,7 +143,7 @@ TEST(StageJoining, WhatRestedOnABodyThatLeavesIsNotStruck) {
   other.remove(0);
   heard(other, 4);
   const std::vector<double> found = heard(stage, 10);
-  EXPECT_GT(highest(found), 0.0);
+  EXPECT_GT(peak(found), 0.0);
   EXPECT_EQ(found, heard(other, 10));
   EXPECT_EQ(stage.report().impacts, 1U);
 }
@@ -190,9 +174,9 @@ TEST(StageJoining, FadesAtOnceWhateverWaits) {
   stage.step(1.0);
   std::vector<double> block(2400);
   stage.render(block);
-  EXPECT_GT(highest(block), 0.0);
+  EXPECT_GT(peak(block), 0.0);
   stage.render(block);
-  EXPECT_EQ(highest(block), 0.0);
+  EXPECT_EQ(peak(block), 0.0);
 }
 
 TEST(StageJoining, NeverLocksOrAllocatesInTheAudioThread) {
@@ -228,7 +212,7 @@ TEST(StageJoining, GoesOnWhileAnotherThreadRenders) {
     while (!ends) {
       stage.render(block);
       is_finite = is_finite && std::ranges::all_of(block, [](double pa) { return std::isfinite(pa); });
-      sounds = sounds || highest(block) > 0.0;
+      sounds = sounds || peak(block) > 0.0;
     }
   });
   std::vector<std::size_t> present;

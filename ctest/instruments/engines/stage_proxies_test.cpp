@@ -40,22 +40,6 @@ ContactEvent tap(std::size_t body = 0) {
   return event;
 }
 
-double peak(const std::vector<double>& sound) {
-  double found = 0.0;
-  for (const double pa : sound) {
-    found = std::max(found, std::abs(pa));
-  }
-  return found;
-}
-
-double steepest(const std::vector<double>& sound) {
-  double found = 0.0;
-  for (std::size_t i = 1; i < sound.size(); ++i) {
-    found = std::max(found, std::abs(sound[i] - sound[i - 1]));
-  }
-  return found;
-}
-
 void append(std::vector<double>& sound, const std::vector<double>& more) {
   sound.insert(sound.end(), more.begin(), more.end());
 }
