@@ -69,6 +69,16 @@ def test_tunes_a_plate(simple):
     assert simple.modes(count=1, estimate=False).frequency[0] == pytest.approx(200, abs=0.3)
 
 
+def test_tunes_a_level(simple):
+    simple["audio.max_frequency"] = 250  # one mode
+    found = simple.tune([200.0], {THICKNESS: (0.01, 0.03)}, levels={"ear": "at_least:10"}, level_tolerance=1)
+    (level,) = found.levels
+    assert found.tuned and level.reached and (level.listener, level.kind, level.wanted) == ("ear", "at_least", 10)
+    assert level.level > 10 and level.sensitivities == {THICKNESS: 0}
+    missed = simple.tune([200.0], {THICKNESS: (0.019, 0.021)}, levels={"ear": 80})
+    assert not missed.tuned and not missed.levels[0].reached and "at ear instead of 80 dB" in missed.messages[-1]
+
+
 def test_what_cannot_be_tuned_has_the_best_values(simple):
     found = simple.tune(["A6"], {THICKNESS: (0.019, 0.021)}, modes=np.array([1]))
     assert not found.tuned and found.bounds == {THICKNESS: "upper"} and found.values[THICKNESS] == pytest.approx(0.021)
