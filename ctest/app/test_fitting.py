@@ -182,8 +182,8 @@ class Tune(program.TestCase):
         deck.write_text(json.dumps({
             "name": "struck_bar", "time": {"duration": 0.5},
             "materials": {"aluminium": {"young": 7e10, "poisson": 0.33, "density": 2700, "damping": {"mass": 20}}},
-            "bodies": {"bar": {"mesh": str(program.SOURCE / "meshes/bar.geo"), "element": "hex", "order": {"plane": 3, "thickness": 3}, "material": "aluminium",
-                               "parameters": {"length": 0.2, "width": 0.03, "thickness": 0.008, "size": 0.1}}},
+            "bodies": {"bar": {"mesh": str(program.SOURCE / "meshes/bar.geo"), "element": "hex", "order": {"plane": 3, "thickness": 3},
+                               "material": "aluminium", "parameters": {"length": 0.2, "width": 0.03, "thickness": 0.008, "size": 0.1}}},
             "loads": {"tap": {"body": "bar", "balanced": True, **blow}},
             "listeners": {"ear": {"type": "mono", "position": [0.1, 0, 3]}},
             "audio": {"rate": 44100, "max_frequency": 3000}, "radiation": {"model": "kirchhoff"}}))

@@ -10,7 +10,7 @@ import numpy
 import program
 
 sys.path.insert(0, str(program.SOURCE / "ctest/solids/mesher"))
-from damaged_surfaces import box, with_fins, with_holes, write_obj  # noqa: E402
+from damaged_surfaces import box, with_fins, with_holes, write_obj
 
 SIZE = numpy.array((0.1, 0.08, 0.06))  # m
 DECK = """\

@@ -142,8 +142,8 @@ class Deck:
         tolerance: cents. a4: Hz, of the note A4. mass: "lumped" or "consistent". scatter: key path -> standard deviation from body
         to body, in the number's unit or as text in percent, e.g. "2%". within: cents, at which a body counts as in tune.
         decay_times: number of a mode at the start -> T60, s. decay_tolerance: percent. levels: listener -> LAE of
-        the deck's blows in dB, or a limit as text, e.g. {"ears.left": "at_least:70"}. level_tolerance: dB. avoid: where no mode shall be, Hz or notes or
-        cents around them, e.g. ["380:420", "A4~50"].
+        the deck's blows in dB, or a limit as text, e.g. {"ears.left": "at_least:70"}. level_tolerance: dB.
+        avoid: where no mode shall be, Hz or notes or cents around them, e.g. ["380:420", "A4~50"].
         Where not all is reached, the best values are returned, with `tuned` False. Raises DeckError, ProgramError.
         """
         words = program.options(target=target, body=body, pitch=pitch, tolerance=tolerance,
