@@ -2,7 +2,9 @@
 // Stages of sheets, and what is done on them.
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <thread>
 #include <vector>
 
 #include "idiophone/instruments/engines/engine_stage.hpp"
@@ -55,5 +57,42 @@ inline double steepest(const std::vector<double>& sound) {
   }
   return found;
 }
+
+/// Another thread that plays a stage.
+class AudioThread {
+ public:
+  explicit AudioThread(EngineStage& stage) : thread_([this, &stage] { play(stage); }) {}
+  ~AudioThread() { end(); }
+  AudioThread(const AudioThread&) = delete;
+  AudioThread& operator=(const AudioThread&) = delete;
+  AudioThread(AudioThread&&) = delete;
+  AudioThread& operator=(AudioThread&&) = delete;
+
+  /// Waits until it has ended.
+  void end() {
+    ends_ = true;
+    if (thread_.joinable()) {
+      thread_.join();
+    }
+  }
+  /// Whether it has played anything but silence.
+  [[nodiscard]] bool sounds() const { return sounds_; }
+  /// Whether all was finite. After end().
+  [[nodiscard]] bool is_finite() const { return is_finite_; }
+
+ private:
+  void play(EngineStage& stage) {
+    std::vector<double> block(64);
+    while (!ends_) {
+      stage.render(block);
+      is_finite_ = is_finite_ && std::ranges::all_of(block, [](double pa) { return std::isfinite(pa); });
+      sounds_ = sounds_ || peak(block) > 0.0;
+    }
+  }
+
+  std::atomic<bool> ends_ = false, sounds_ = false;
+  bool is_finite_ = true;
+  std::thread thread_;  // last: it uses the others
+};
 
 }  // namespace idiophone::engines

@@ -3,12 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <thread>
 #include <vector>
 
 #include "shared_folder.hpp"
@@ -205,20 +203,11 @@ TEST(StageJoining, NeverLocksOrAllocatesInTheAudioThread) {
 TEST(StageJoining, GoesOnWhileAnotherThreadRenders) {
   const SharedMap map = sheet_map();
   EngineStage stage(options(), {map}, {steel});
-  std::atomic<bool> ends = false, sounds = false;
-  bool is_finite = true;
-  std::thread audio([&] {
-    std::vector<double> block(64);
-    while (!ends) {
-      stage.render(block);
-      is_finite = is_finite && std::ranges::all_of(block, [](double pa) { return std::isfinite(pa); });
-      sounds = sounds || peak(block) > 0.0;
-    }
-  });
+  AudioThread audio(stage);
   std::vector<std::size_t> present;
   bool is_used_again = false;
   const auto start = std::chrono::steady_clock::now();
-  for (int step = 0; step < 300 || !sounds || !is_used_again; ++step) {
+  for (int step = 0; step < 300 || !audio.sounds() || !is_used_again; ++step) {
     if (std::chrono::steady_clock::now() - start > std::chrono::seconds(30)) {
       ADD_FAILURE() << "nothing sounds, or no number is used again";
       break;
@@ -232,9 +221,8 @@ TEST(StageJoining, GoesOnWhileAnotherThreadRenders) {
       present.erase(present.begin());
     }
   }
-  ends = true;
-  audio.join();
-  EXPECT_TRUE(is_finite);
+  audio.end();
+  EXPECT_TRUE(audio.is_finite());
 }
 
 }  // namespace idiophone::engines

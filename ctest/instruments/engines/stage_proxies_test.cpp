@@ -3,11 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <thread>
 #include <utility>
 
 #include "bodies.hpp"
@@ -359,27 +357,17 @@ TEST(StageProxies, AFirstOneJoinsAfterALongPause) {
 
 TEST(StageProxies, SoundWithLatencyWhileAnotherThreadRenders) {
   EngineStage stage(options(0.05), {sheet_map()}, {steel});
-  std::atomic<bool> ends = false, sounds = false;
-  bool is_finite = true;
-  std::thread audio([&] {
-    std::vector<double> block(64);
-    while (!ends) {
-      stage.render(block);
-      is_finite = is_finite && std::ranges::all_of(block, [](double pa) { return std::isfinite(pa); });
-      sounds = sounds || peak(block) > 0.0;
-    }
-  });
+  AudioThread audio(stage);
   const SharedProxy proxy = cube();
-  for (int step = 0; step < 200 || (!sounds && step < 20000); ++step) {
+  for (int step = 0; step < 200 || (!audio.sounds() && step < 20000); ++step) {
     const std::size_t body = stage.add(proxy);
     stage.contact(tap(body));
     stage.step(duration);
     stage.remove(body);
   }
-  ends = true;
-  audio.join();
-  EXPECT_TRUE(is_finite);
-  EXPECT_TRUE(sounds);
+  audio.end();
+  EXPECT_TRUE(audio.is_finite());
+  EXPECT_TRUE(audio.sounds());
 }
 
 TEST(StageProxies, RefusesWhatCantBe) {
