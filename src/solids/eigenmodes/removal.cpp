@@ -11,8 +11,8 @@
 #include "idiophone/solids/mesh/face_shares.hpp"
 #include "idiophone/solids/mesh/faces.hpp"
 #include "idiophone/solids/solid/directional_loss.hpp"
+#include "idiophone/solids/solid/material_relaxation.hpp"
 #include "idiophone/solids/solid/oriented_material.hpp"
-#include "idiophone/solids/solid/relaxation.hpp"
 #include "nodal_strains.hpp"
 
 namespace idiophone::eigenmodes {
@@ -90,13 +90,6 @@ double angular_frequency(const Mode& mode) {
   return 2 * std::numbers::pi * mode.frequency;
 }
 
-/// Stiffness matrix of a material at the frequency of a mode: that of a loss factor depends on it.
-solid::StiffnessMatrix stiffness_at(const solid::OrientedMaterial& oriented, const Mode& mode) {
-  const auto& loss = oriented.material.damping.loss;
-  const double factor = loss ? solid::fit_relaxation(*loss).modulus(angular_frequency(mode)).real() : 1.0;
-  return solid::stiffness_matrix(solid::elasticity_at(oriented, factor));
-}
-
 /// Adds the faces of one region.
 void add_region(const mesh::Mesh& mesh, Index region, const solid::OrientedMaterial& material,
                 const std::vector<OuterFace>& faces, const std::vector<Mode>& modes, NodalMeans& means) {
@@ -107,9 +100,12 @@ void add_region(const mesh::Mesh& mesh, Index region, const solid::OrientedMater
     }
   }
   const std::vector<Eigen::MatrixXd> strains = nodal_strains(mesh, region, wanted, modes);
+  const solid::Relaxation relaxation = solid::relaxation_of_loss(material.material.damping);
   for (std::size_t m = 0; m < modes.size(); ++m) {
-    const solid::StiffnessMatrix stiffness = stiffness_at(material, modes[m]);
-    const double square = std::pow(angular_frequency(modes[m]), 2);
+    const double frequency = angular_frequency(modes[m]);  // on which the stiffness depends, by a loss factor
+    const solid::StiffnessMatrix stiffness =
+        solid::stiffness_matrix(solid::elasticity_at(material, relaxation.modulus(frequency).real()));
+    const double square = std::pow(frequency, 2);
     const double cents = 600 / std::numbers::ln2 / square;  // for a change of the square
     for (const OuterFace& face : faces) {
       if (region_of(mesh, face.element) != region) {

@@ -82,6 +82,16 @@ void with_law(const PackedElements& elements, SomeRegion& region, Visitor visit)
 
 }  // namespace
 
+namespace {
+
+/// Modulus of a material after an eternity at rest, without creep.
+/// @param relaxation  of the material, which the fit of its loss factor takes long to find again
+double modulus_at_rest(const scene::Damping& damping, const Relaxation& relaxation) {
+  return damping.of_vibration() == 0.0 ? relaxation.long_term : relaxation_of_loss(damping).long_term;
+}
+
+}  // namespace
+
 Solid::Region::Region(const OrientedMaterial& oriented, PackRange its_packs)
     : packs(its_packs),
       beta(oriented.material.damping.stiffness),
@@ -89,7 +99,7 @@ Solid::Region::Region(const OrientedMaterial& oriented, PackRange its_packs)
       relaxation(relaxation_of(oriented.material.damping)),
       elasticity(solid::elasticity(oriented.material, oriented.axes)),
       relaxing(solid::relaxing_elasticity(oriented)),
-      relaxed(elasticity_at(oriented, relaxation_of_loss(oriented.material.damping).long_term)),
+      relaxed(elasticity_at(oriented, modulus_at_rest(oriented.material.damping, relaxation))),
       instantaneous(elasticity_at(oriented, relaxation.instantaneous())),
       stress(oriented.stress) {
   if (const auto& loss = oriented.material.damping.loss; loss && loss->directions) {
