@@ -21,7 +21,7 @@ static bool read(const Node& node, Mistakes& mistakes, Damping& damping) {
 /// Loss factors by direction belong to moduli by direction, and act on the vibration by themselves.
 static void check_directions(Section& section, const Material& material) {
   const Damping& damping = material.damping;
-  if (!damping.loss || !damping.loss->directions) {
+  if (!damping.has_directional_loss()) {
     return;
   }
   const Node& node = *section.find("damping");

@@ -21,6 +21,7 @@ struct Damping {
   std::optional<LossFactor> loss = {};
   DampedMotion mass_of = DampedMotion::all;
 
+  [[nodiscard]] bool has_directional_loss() const { return loss && loss->directions; }
   /// alpha of a damping force on every motion, 1/s.
   [[nodiscard]] double of_all_motion() const { return mass_of == DampedMotion::all ? mass : 0.0; }
   /// alpha that acts on the vibration alone, 1/s.

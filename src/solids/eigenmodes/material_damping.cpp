@@ -23,7 +23,7 @@ DampedVibration damped(double square, double of_others, std::span<const Material
 }
 
 std::vector<DampedVibration> damped_by(const scene::Damping& damping, std::span<const double> lossless_frequencies) {
-  if (damping.loss && damping.loss->directions) {
+  if (damping.has_directional_loss()) {
     throw deck::DeckError(damping.loss->where,
                           "a loss factor by direction damps each mode by how it strains the body, which is not stored: "
                           "compute the modes again");

@@ -26,22 +26,17 @@ StiffnessMatrix relaxing_stiffness(const OrientedMaterial& oriented) {
   return turned(shared.transpose() * own.ldlt().solve(shared), oriented.axes);
 }
 
-bool has_directions(const OrientedMaterial& oriented) {
-  const auto& loss = oriented.material.damping.loss;
-  return loss && loss->directions;
-}
-
 }  // namespace
 
 Elasticity relaxing_elasticity(const OrientedMaterial& oriented) {
-  if (!has_directions(oriented)) {
+  if (!oriented.material.damping.has_directional_loss()) {
     return elasticity(oriented.material, oriented.axes);
   }
   return AnisotropicElasticity{relaxing_stiffness(oriented)};
 }
 
 Elasticity elasticity_at(const OrientedMaterial& oriented, double modulus) {
-  if (!has_directions(oriented)) {
+  if (!oriented.material.damping.has_directional_loss()) {
     return elasticity(oriented.material, oriented.axes, modulus);
   }
   const StiffnessMatrix stiffness = whole_stiffness(oriented) + (modulus - 1) * relaxing_stiffness(oriented);
@@ -60,7 +55,7 @@ AnisotropicElasticity relaxing_strain(const OrientedMaterial& oriented) {
 }
 
 double largest_relaxing_share(const OrientedMaterial& oriented) {
-  if (!has_directions(oriented)) {
+  if (!oriented.material.damping.has_directional_loss()) {
     return 1.0;
   }
   const Eigen::LLT<StiffnessMatrix> whole(whole_stiffness(oriented));

@@ -102,7 +102,7 @@ Solid::Region::Region(const OrientedMaterial& oriented, PackRange its_packs)
       relaxed(elasticity_at(oriented, modulus_at_rest(oriented.material.damping, relaxation))),
       instantaneous(elasticity_at(oriented, relaxation.instantaneous())),
       stress(oriented.stress) {
-  if (const auto& loss = oriented.material.damping.loss; loss && loss->directions) {
+  if (oriented.material.damping.has_directional_loss()) {
     relaxing_strain = solid::relaxing_strain(oriented);
     largest_relaxing_share = solid::largest_relaxing_share(oriented);
   }
