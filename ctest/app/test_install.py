@@ -49,7 +49,7 @@ class Install(program.TestCase):
                 self.assertTrue((deck.parent / mesh).is_file(), f"{deck}: {mesh}")
 
     def test_scripts_have_what_they_import(self):
-        for script in ("spectrum", "spectrogram", "score_figure", "sound_map_figure", "polar", "figure", "movie", "mesh_sequence",
+        for script in ("spectrum", "spectrogram", "blows_figure", "score_figure", "sound_map_figure", "polar", "figure", "movie", "mesh_sequence",
                        "gallery", "timbre_examples"):
             self.call(self.share / "scripts" / script, "--help")
 

@@ -60,8 +60,9 @@ TEST(Quartimax, FindsDirectionsAlongWhichMostNumbersAreZero) {
   for (Eigen::Index row = 0; row < sparse.rows(); ++row) {
     sparse(row, row % terms) = std::cos(static_cast<double>(row * row)) + 1.5;
   }
-  const Eigen::MatrixXd some = Eigen::MatrixXd::NullaryExpr(
-      terms, terms, [](Eigen::Index row, Eigen::Index column) { return std::sin(1.7 * (row * row + 3 * column + 1)); });
+  const Eigen::MatrixXd some = Eigen::MatrixXd::NullaryExpr(terms, terms, [](Eigen::Index row, Eigen::Index column) {
+    return std::sin(1.7 * static_cast<double>(row * row + 3 * column + 1));
+  });
   const Eigen::MatrixXd mixing = Eigen::HouseholderQR<Eigen::MatrixXd>(some).householderQ();
   const Eigen::MatrixXd found = quartimax(mixing, sparse * mixing);
   EXPECT_NEAR((found.transpose() * found - Eigen::MatrixXd::Identity(terms, terms)).norm(), 0.0, 1e-12);

@@ -14,11 +14,16 @@ namespace idiophone::resonators {
 
 using stretching::StretchingEnergy;
 
-/// A number that one thread sets and others read. It can be moved before there are several threads.
+/// A number that one thread sets and others read. A copy is independent.
 class SharedNumber {
  public:
   SharedNumber() = default;
-  SharedNumber(SharedNumber&& other) noexcept : number_(other.now()) {}
+  SharedNumber(const SharedNumber& other) : number_(other.now()) {}
+  SharedNumber& operator=(const SharedNumber& other) {
+    set(other.now());
+    return *this;
+  }
+  ~SharedNumber() = default;
   [[nodiscard]] double now() const { return number_.load(std::memory_order_relaxed); }
   void set(double number) { number_.store(number, std::memory_order_relaxed); }
 
@@ -64,8 +69,8 @@ class StretchedModes {
   /// @param mean_root  free_root(), and what further forces add
   void end(std::span<ModeGroup> after, double mean_root);
 
-  /// The largest rotation angle so far while the stretching counted, root mean square over the body, rad. Any thread may
-  /// ask.
+  /// The largest rotation angle so far while the stretching counted, root mean square over the body, rad. Any thread
+  /// may ask.
   [[nodiscard]] double largest_rotation() const { return largest_rotation_.now(); }
 
   [[nodiscard]] double stored_energy() const { return stored_; }  ///< J
