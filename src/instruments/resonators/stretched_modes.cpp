@@ -108,7 +108,7 @@ void StretchedModes::find_middle(std::span<const ModeGroup> before) {
 /// Now and then: it takes as many multiply-adds as there are pairs of modes. Of a body that is s times as long, T is
 /// s^-5 times as large.
 void StretchedModes::watch_rotation() {
-  constexpr int interval = 64;  // audio samples
+  constexpr int interval = 16;  // audio samples
   if (until_watched_-- > 0) {
     return;
   }
