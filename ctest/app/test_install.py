@@ -49,8 +49,8 @@ class Install(program.TestCase):
                 self.assertTrue((deck.parent / mesh).is_file(), f"{deck}: {mesh}")
 
     def test_scripts_have_what_they_import(self):
-        for script in ("spectrum", "spectrogram", "score_figure", "sound_map_figure", "polar", "figure", "movie", "mesh_sequence",
-                       "gallery", "timbre_examples"):
+        for script in ("spectrum", "spectrogram", "blows_figure", "score_figure", "sound_map_figure", "polar", "figure", "movie",
+                       "mesh_sequence", "gallery", "timbre_examples"):
             self.call(self.share / "scripts" / script, "--help")
 
     def test_scripts_find_the_installed_program(self):

@@ -73,6 +73,18 @@ Controls with_keyboard(Keyboard keyboard) {
 
 ON_RANKS(1);
 
+TEST(PlayedMaps, LargeAmplitudesRaiseThePitchOfStrongBlows) {
+  auto stretched = std::make_shared<sound_maps::SoundMap>(*tone(440.0));
+  stretched->stretching = {.linear = {0.0}, .quadratic = {3e7}, .rotation = {0.0}};
+  const auto cents_of = [&](const std::shared_ptr<const sound_maps::SoundMap>& map, int velocity) {
+    PlayedMaps maps({map}, with_keyboard(Keyboard::bodies), audio_rate);
+    return 1200 * std::log2(pitch_of(sound_of(maps, 60, velocity)) / 440.0);
+  };
+  EXPECT_NEAR(cents_of(stretched, 1), 0.0, 1.0);
+  EXPECT_GT(cents_of(stretched, 127), 20.0);
+  EXPECT_NEAR(cents_of(tone(440.0), 127), 0.0, 1.0);
+}
+
 TEST(PlayedMaps, TunedBodiesHaveThePitchesOfTheirKeys) {
   PlayedMaps maps({tone(1234.0)}, with_keyboard(Keyboard::tuned), audio_rate);
   EXPECT_NEAR(pitch_of(sound_of(maps, 69)), 440.0, 0.5);

@@ -38,11 +38,10 @@ void print_map(const sound_maps::SoundMap& map, const std::filesystem::path& pat
                path.string(), map.body, map.modes(), map.frequency.front(), map.frequency.back(), map.vertices.size(),
                map.triangles.size(), map.listeners.size(), map.sphere.direction.size());
   if (map.stretching.exists()) {
-    const auto operations = static_cast<double>(map.stretching.terms() * map.modes() * (map.modes() + 1));
-    spdlog::info(
-        "body {}: large amplitudes, {} terms of stretching: up to {:.3g} million multiply-adds for an audio "
-        "sample while they count",
-        map.body, map.stretching.terms(), 1e-6 * operations);
+    const auto all = map.stretching.quadratic.size();
+    const auto zero = static_cast<std::size_t>(std::ranges::count(map.stretching.quadratic, 0.0));
+    spdlog::info("body {}: large amplitudes, {} terms of stretching; {} of {} numbers for pairs of modes are not zero",
+                 map.body, map.stretching.terms(), all - zero, all);
   }
   if (const std::string errors = sound_maps::mesh_error_text(map); !errors.empty()) {
     spdlog::info("body {}: {}", map.body, errors);

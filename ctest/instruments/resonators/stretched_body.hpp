@@ -18,6 +18,8 @@ struct StretchedBody {
   std::vector<double> quadratic = {900,  200, -100, 200, 500, 50,  -100, 50,  1500,
                                    -300, 400, 0,    400, 700, 300, 0,    300, 100};
 
+  std::vector<double> rotation = {40, 10, 0, 10, 90, -20, 0, -20, 160};
+
   [[nodiscard]] std::vector<Complex> turns() const {
     std::vector<Complex> turns;
     for (const double frequency : frequencies) {
@@ -28,7 +30,7 @@ struct StretchedBody {
 
   [[nodiscard]] StretchingEnergy energy() const { return {linear, quadratic, frequencies.size()}; }
 
-  [[nodiscard]] StretchedModes modes() const { return {energy(), in_groups(turns()), rate}; }
+  [[nodiscard]] StretchedModes modes() const { return {energy(), rotation, in_groups(turns()), rate}; }
 
   /// z of the modes that were just struck.
   /// @param velocities  kg^1/2 m/s

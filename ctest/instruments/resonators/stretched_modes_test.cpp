@@ -82,6 +82,22 @@ TEST(StretchedModes, MoveAsAnotherMethodSays) {
   EXPECT_LT(worst, 3e-3);  // 0.3 % after 3 to 13 periods: a cent is 0.06 % of a period
 }
 
+TEST(StretchedModes, KnowTheirLargestRotation) {
+  const StretchedBody body;
+  const auto turns = in_groups(body.turns());
+  const Eigen::Map<const Eigen::Matrix3d> rotation(body.rotation.data());
+  StretchedModes stretching = body.modes();
+  EXPECT_EQ(stretching.largest_rotation(), 0.0);
+  std::vector<ModeGroup> states = StretchedBody::struck(velocities);
+  double largest = 0.0;
+  for (int sample = 0; sample < 4000; ++sample) {
+    const Eigen::VectorXd places = body.places_of(states);
+    largest = std::max(largest, std::sqrt(places.dot(rotation * places)));
+    advance(stretching, states, turns);
+  }
+  EXPECT_NEAR(stretching.largest_rotation() / largest, 1.0, 0.02);  // it is not watched in every sample
+}
+
 // V = w^2 q^2/2 + a c q^3 + c^2 q^4/2 has a second equilibrium, where w^2 + 3 a c q + 2 c^2 q^2 is zero.
 TEST(StretchedModes, ShellThatSnapsThroughVibratesAboutItsOtherEquilibrium) {
   constexpr double w = 1000, a = 999.9, c = 500;
@@ -118,6 +134,9 @@ TEST(StretchedModes, ScaleWithTheSizeOfTheBody) {
   for (double& value : larger.quadratic) {
     value *= std::pow(size, -3.5);
   }
+  for (double& value : larger.rotation) {
+    value *= std::pow(size, -5);
+  }
   StretchedModes made = larger.modes();
   std::vector<ModeGroup> states = StretchedBody::struck(velocities), others = states;
   for (int sample = 0; sample < 100; ++sample) {
@@ -125,6 +144,7 @@ TEST(StretchedModes, ScaleWithTheSizeOfTheBody) {
     advance(made, others, turns);
   }
   EXPECT_LT((larger.places_of(states) - larger.places_of(others)).norm(), 1e-6);
+  EXPECT_NEAR(retuned.largest_rotation() / made.largest_rotation(), 1.0, 1e-5);
 }
 
 /// Between a mode's point and something that does not move.

@@ -1,6 +1,6 @@
 // Sound maps with large amplitudes, as a score plays them.
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <algorithm>
 #include <array>
@@ -139,6 +139,21 @@ TEST(StretchedVoices, DoNotDependOnBlocks) {
 TEST(StretchedVoices, StayFiniteHoweverStrongTheBlow) {
   const std::vector<double> sound = sound_of(stretched_sheet(20, 4.0), 1e6);
   EXPECT_TRUE(std::ranges::all_of(sound, [](double sample) { return std::isfinite(sample); }));
+}
+
+TEST(StretchedVoices, AreDoubtedWhereTheirPartsTurnFar) {
+  sound_maps::SoundMap map = stretched_sheet(20, 4.0);
+  for (std::size_t mode = 0; mode < 20; ++mode) {
+    map.stretching.rotation[mode * 21] = 1e5;
+  }
+  const auto doubts_after = [&](double speed) {
+    Performance performance({map}, one_blow(speed), rate);
+    (void)rendered(performance, rate / 10, 512);
+    return performance.stage().report().doubts;
+  };
+  EXPECT_THAT(doubts_after(0.1), testing::IsEmpty());
+  EXPECT_THAT(doubts_after(100.0), testing::ElementsAre(testing::AllOf(testing::StartsWith("body sheet: "),
+                                                                       testing::HasSubstr("up to 0.1 rad"))));
 }
 
 TEST(StretchedVoices, StrikeEachOther) {

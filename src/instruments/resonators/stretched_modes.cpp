@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "mode_groups.hpp"
@@ -29,8 +30,10 @@ double product(const Numbers& a, const Numbers& b) {
 
 }  // namespace
 
-StretchedModes::StretchedModes(StretchingEnergy energy, std::span<const ModeGroup> turns, int rate)
+StretchedModes::StretchedModes(StretchingEnergy energy, std::span<const double> rotation,
+                               std::span<const ModeGroup> turns, int rate)
     : energy_(std::move(energy)),
+      rotation_(rotation.begin(), rotation.end()),
       rate_(rate),
       factors_(turns.size()),
       places_(turns.size() * modes_in_group),
@@ -102,6 +105,24 @@ void StretchedModes::find_middle(std::span<const ModeGroup> before) {
   }
 }
 
+/// Now and then: it takes as many multiply-adds as there are pairs of modes. Of a body that is s times as long, T is
+/// s^-5 times as large.
+void StretchedModes::watch_rotation() {
+  constexpr int interval = 16;  // audio samples
+  if (until_watched_-- > 0) {
+    return;
+  }
+  until_watched_ = interval - 1;
+  const std::size_t modes = energy_.modes();
+  double square = 0.0;
+  for (std::size_t mode = 0; mode < modes; ++mode) {
+    const auto row = std::span(rotation_).subspan(mode * modes, modes);
+    square += static_cast<double>(places_[mode] * std::inner_product(row.begin(), row.end(), places_.begin(), 0.0F));
+  }
+  const double angle = std::sqrt(std::max(square, 0.0)) / static_cast<double>(bend_);
+  largest_rotation_.set(std::max(largest_rotation_.now(), angle));
+}
+
 void StretchedModes::find_gradient(double energy_of_modes) {
   const std::size_t modes = energy_.modes();
   const double energy = energy_.at(std::span(places_).first(modes), bend_, std::span(slopes_).first(modes));
@@ -150,6 +171,7 @@ void StretchedModes::find_force(std::span<const ModeGroup> before, std::span<con
   }
   const double energy_of_modes = energy_of(before);
   find_middle(before);
+  watch_rotation();
   find_gradient(energy_of_modes);
   correct_drift(std::max(energy_of_modes, energy_of(free)));  // a force may just begin
   find_response();

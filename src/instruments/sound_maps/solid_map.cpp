@@ -53,11 +53,14 @@ std::vector<std::vector<double>> shapes_of(std::vector<eigenmodes::Mode> modes) 
 
 }  // namespace
 
-SoundMap solid_map(const scene::Scene& scene, std::size_t body, const eigenmodes::Options& options,
+SoundMap solid_map(const scene::Scene& scene, std::size_t body, const eigenmodes::Options& wanted,
                    eigenmodes::Estimates estimates) {
   const scene::Scene assembly = scene::assembly_of(scene, body);
   const scene::Solids solids(assembly);
   const scene::Body& first = solids.bodies.front();
+  const bool is_stretched = first.modal && first.modal->stretching_tolerance;
+  eigenmodes::Options options = wanted;
+  options.align_double_modes = is_stretched;
   const bool is_alone = solids.joints.empty();
   const std::vector<mesh::Mesh> meshes = mesh::read_meshes(solids.bodies);
   const motion::Attachments attachments = motion::attach(solids, meshes);
@@ -76,7 +79,7 @@ SoundMap solid_map(const scene::Scene& scene, std::size_t body, const eigenmodes
   eigenmodes::Modes found = eigenmodes::find_modes(solids, part, attachments, options, MPI_COMM_SELF);
   std::ranges::stable_sort(found.modes, {}, &eigenmodes::Mode::frequency);  // a loss factor shifts each a little
   add_modes(map, found.modes, surface.nodes);
-  if (first.modal && first.modal->stretching_tolerance) {
+  if (is_stretched) {
     map.stretching = eigenmodes::stretching_of(found, solids, part, attachments, *first.modal->stretching_tolerance);
   }
   if (is_alone) {

@@ -52,8 +52,8 @@ resonators::ResonatorBank Instrument::bank() const {
     return resonators::ResonatorBank(turns());
   }
   resonators::StretchingEnergy energy(stretching.linear, stretching.quadratic, map().modes());
-  return resonators::ResonatorBank(
-      turns(), resonators::StretchedModes(std::move(energy), resonators::in_groups(turns()), rate_));
+  return resonators::ResonatorBank(turns(), resonators::StretchedModes(std::move(energy), stretching.rotation,
+                                                                       resonators::in_groups(turns()), rate_));
 }
 
 std::vector<resonators::Complex> Instrument::turns() const {

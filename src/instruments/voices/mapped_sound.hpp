@@ -77,6 +77,8 @@ class MappedSound {
   [[nodiscard]] bool stretches() const { return bank_.stretches({}); }
   [[nodiscard]] std::size_t stretching_operations() const { return bank_.stretching_operations(); }
 
+  [[nodiscard]] double largest_rotation() const { return bank_.largest_rotation(); }
+
   [[nodiscard]] std::size_t groups() const { return bank_.groups(); }
 
   /// Mean square of the pressure of each mode where the listener is, the mean of its receivers. Realtime-safe.

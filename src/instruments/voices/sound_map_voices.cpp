@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "contact_group.hpp"
+#include "idiophone/solids/modal_bodies/rotation_limit.hpp"
 #include "map_body.hpp"
 #include "map_costs.hpp"
 #include "roster.hpp"
@@ -152,11 +153,16 @@ void SoundMapVoices::attend() {
 }
 
 VoiceReport SoundMapVoices::report() const {
-  Waits waits;
+  VoiceReport report;
   for (const MapBody* body : roster_->present()) {
-    waits.add(body->player().waits());
+    report.waits.add(body->player().waits());
+    if (const double rotation = body->player().sound().largest_rotation();
+        rotation > modal_bodies::largest_right_rotation) {
+      report.doubts.push_back(fmt::format("body {}: {}. Hit less hard, or choose a thicker body", body->map().body,
+                                          modal_bodies::too_large_rotation(rotation)));
+    }
   }
-  return {.waits = waits};
+  return report;
 }
 
 /// In pieces that no block divides otherwise. The sounds of all bodies are on their way before a piece is heard.

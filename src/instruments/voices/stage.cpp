@@ -138,6 +138,7 @@ VoiceReport Stage::report() const {
     const VoiceReport report = voice->report();
     sum.waits.add(report.waits);
     sum.gaps += report.gaps;
+    sum.doubts.insert(sum.doubts.end(), report.doubts.begin(), report.doubts.end());
   }
   return sum;
 }

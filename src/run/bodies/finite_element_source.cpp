@@ -10,6 +10,7 @@
 #include "body_surfaces.hpp"
 #include "idiophone/foundation/parallel/reduce.hpp"
 #include "idiophone/run/bodies/prepared_surface.hpp"
+#include "idiophone/solids/modal_bodies/rotation_limit.hpp"
 
 namespace idiophone::bodies {
 
@@ -134,13 +135,9 @@ std::string FiniteElementSource::too_large_vibration(std::size_t body) const {
 }
 
 std::string FiniteElementSource::too_large_rotation(std::size_t body) const {
-  constexpr double largest = 0.1;  // rad: ten cents (docs/method/large_amplitudes.md, Limits)
   const double rotation = parallel::largest(surfaces_->largest_rotation(body), communicator_);
-  return rotation > largest
-             ? fmt::format(
-                   "its vibration turns its parts by {:.3g} rad in the root mean square: large_amplitudes is "
-                   "right up to {} rad. Hit less hard, or use model: {{type: finite_elements}}",
-                   rotation, largest)
+  return rotation > modal_bodies::largest_right_rotation
+             ? modal_bodies::too_large_rotation(rotation) + ". Hit less hard, or use model: {type: finite_elements}"
              : "";
 }
 

@@ -92,6 +92,7 @@ modal_bodies::ModalBasis modal_basis(const scene::Solids& solids, std::size_t bo
   Options options;
   options.count = model.count.value_or(options.count);
   options.up_to = model.up_to;
+  options.align_double_modes = model.stretching_tolerance.has_value();
   Modes found;
   try {
     found = find_modes(alone, part, attachments, options, MPI_COMM_SELF);

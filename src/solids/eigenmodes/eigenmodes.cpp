@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "damped_mode.hpp"
+#include "double_modes.hpp"
 #include "eigensolver.hpp"
 #include "idiophone/solids/eigenmodes/no_modes.hpp"
 #include "inertia.hpp"
@@ -89,7 +90,11 @@ Modes find_modes(const scene::Solids& solids, const mesh::Part& part, const moti
       options.shift ? *options.shift : 0.1 * rough_frequency(solids, part, operators.dynamics(), communicator);
   check_buckling(solids.bodies, operators, found.rigid_motions, found.shift);
   const int count = wanted(options, name, operators, found.rigid_motions);
-  for (Eigenpair& pair : lowest_eigenpairs(operators, rigid, count, std::pow(angular(found.shift), 2), options.watch)) {
+  auto pairs = lowest_eigenpairs(operators, rigid, count, std::pow(angular(found.shift), 2), options.watch);
+  if (options.align_double_modes) {
+    align_double_modes(pairs, part.reference);
+  }
+  for (Eigenpair& pair : pairs) {
     found.modes.push_back(damped_mode(std::move(pair), solids, operators, part, communicator));
   }
   return found;

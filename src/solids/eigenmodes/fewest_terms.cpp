@@ -2,8 +2,10 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <numbers>
 
 #include "idiophone/foundation/dense/dense.hpp"
+#include "quartimax.hpp"
 
 namespace idiophone::eigenmodes {
 
@@ -15,6 +17,19 @@ namespace {
 Eigen::MatrixXd weighted(const Eigen::MatrixXd& quadratic, const Eigen::VectorXd& roots) {
   const Eigen::VectorXd weights = (roots * roots.transpose()).reshaped();
   return weights.asDiagonal() * quadratic;
+}
+
+/// Each pair of modes once, with the same energy as both orders of it. [pairs, terms]
+/// @param quadratic, roots  as above
+Eigen::MatrixXd pairs_seen(const Eigen::MatrixXd& quadratic, const Eigen::VectorXd& roots) {
+  const Eigen::Index modes = roots.size();
+  const Eigen::MatrixXd seen = weighted(quadratic, roots);
+  Eigen::MatrixXd pairs(modes * (modes + 1) / 2, seen.cols());
+  for (Eigen::Index mode = 0, pair = 0; mode < modes; pair += ++mode) {
+    pairs.middleRows(pair, mode + 1) = std::numbers::sqrt2 * seen.middleRows(mode * modes, mode + 1);
+    pairs.row(pair + mode) /= std::numbers::sqrt2;
+  }
+  return pairs;
 }
 
 /// [terms x terms] Mean of z_m z_n. For q of the variances D, it is tr(H_m D) tr(H_n D) + 2 tr(H_m D H_n D).
@@ -71,7 +86,8 @@ modal_bodies::Stretching in_fewest_terms(const modal_bodies::Stretching& stretch
   const Eigen::Map<const Eigen::MatrixXd> quadratic(stretching.quadratic.data(), modes * modes, terms);
   const Eigen::VectorXd roots = Eigen::Map<const Eigen::VectorXd>(frequencies.data(), modes).cwiseInverse();
   const auto [energies, directions] = dense::eigenpairs(mean_products(quadratic, roots));
-  const Eigen::MatrixXd kept = directions.rightCols(enough(energies, tolerance / 2)).rowwise().reverse();
+  const Eigen::MatrixXd strongest = directions.rightCols(enough(energies, tolerance / 2)).rowwise().reverse();
+  const Eigen::MatrixXd kept = quartimax(strongest, pairs_seen(quadratic * strongest, roots));
   modal_bodies::Stretching fewer;
   fewer.linear.resize(static_cast<std::size_t>(modes * kept.cols()));
   fewer.quadratic.resize(static_cast<std::size_t>(modes * modes * kept.cols()));

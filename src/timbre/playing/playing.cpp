@@ -113,6 +113,9 @@ voices::VoiceReport report(const PlaySettings& settings, const voices::Stage& st
   if (settings.output.empty()) {
     spdlog::info("{:.4g} s; {} gaps", static_cast<double>(stage.now()) / stage.rate(), told.gaps);
   }
+  for (const std::string& doubt : told.doubts) {
+    spdlog::warn("{}", doubt);
+  }
   for (const auto& driver : drivers) {
     if (const std::string complaint = driver->complaint(); !complaint.empty()) {
       spdlog::warn("{}", complaint);

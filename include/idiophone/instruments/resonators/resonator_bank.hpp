@@ -59,6 +59,10 @@ class ResonatorBank {
   /// What stretching stores, J.
   [[nodiscard]] double stretching_energy() const { return stretching_ ? stretching_->stored_energy() : 0.0; }
 
+  /// The largest rotation angle of the body's parts while they were stretched, root mean square, rad. Any thread may
+  /// ask.
+  [[nodiscard]] double largest_rotation() const { return stretching_ ? stretching_->largest_rotation() : 0.0; }
+
   /// Multiply-adds of the stretching in an audio sample; 0 without.
   [[nodiscard]] std::size_t stretching_operations() const;
 

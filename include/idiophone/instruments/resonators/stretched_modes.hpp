@@ -2,6 +2,7 @@
 // Modes that stretch their body, in time: the force of stretching in each audio sample
 // (docs/method/large_amplitudes.md).
 
+#include <atomic>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -13,6 +14,23 @@ namespace idiophone::resonators {
 
 using stretching::StretchingEnergy;
 
+/// A number that one thread sets and others read. A copy is independent.
+class SharedNumber {
+ public:
+  SharedNumber() = default;
+  SharedNumber(const SharedNumber& other) : number_(other.now()) {}
+  SharedNumber& operator=(const SharedNumber& other) {
+    set(other.now());
+    return *this;
+  }
+  ~SharedNumber() = default;
+  [[nodiscard]] double now() const { return number_.load(std::memory_order_relaxed); }
+  void set(double number) { number_.store(number, std::memory_order_relaxed); }
+
+ private:
+  std::atomic<double> number_ = 0.0;
+};
+
 /// The force is constant in an audio sample, and the modes move exactly under it. It is -g p: g is the gradient of
 /// p = sqrt(2 (V + offset)) in the middle of the sample, p the mean of its values at the ends. p goes on by g times the
 /// way of the modes, so the energy of the modes and p^2/2 - offset always have the same sum (the
@@ -20,8 +38,10 @@ using stretching::StretchingEnergy;
 /// Ducceschi and F. Zama, J. Comput. Phys. 472, 2023).
 class StretchedModes {
  public:
-  /// At rest. @param turns  [groups] as ResonatorBank has them
-  StretchedModes(StretchingEnergy energy, std::span<const ModeGroup> turns, int rate);
+  /// At rest.
+  /// @param rotation  T, [modes x modes] 1/(kg m2): q . T q is the mean square of the rotation angle in the body
+  /// @param turns     [groups] as ResonatorBank has them
+  StretchedModes(StretchingEnergy energy, std::span<const double> rotation, std::span<const ModeGroup> turns, int rate);
 
   /// Keeps the stored energy. No allocation.
   /// @param size  of the body over that for which the energy is
@@ -49,6 +69,10 @@ class StretchedModes {
   /// @param mean_root  free_root(), and what further forces add
   void end(std::span<ModeGroup> after, double mean_root);
 
+  /// The largest rotation angle so far while the stretching counted, root mean square over the body, rad. Any thread
+  /// may ask.
+  [[nodiscard]] double largest_rotation() const { return largest_rotation_.now(); }
+
   [[nodiscard]] double stored_energy() const { return stored_; }  ///< J
   [[nodiscard]] std::size_t operations() const { return energy_.operations(); }
 
@@ -66,11 +90,15 @@ class StretchedModes {
 
   [[nodiscard]] double energy_of(std::span<const ModeGroup> states) const;
   void find_middle(std::span<const ModeGroup> before);
+  void watch_rotation();
   void find_gradient(double energy_of_modes);
   void correct_drift(double energy_of_modes);
   void find_response();
 
   StretchingEnergy energy_;
+  std::vector<float> rotation_;  // T
+  SharedNumber largest_rotation_;
+  int until_watched_ = 0;  // audio samples
   double rate_;
   float places_scale_ = 1.0F, bend_ = 1.0F;  // of the size
   std::vector<Factors> factors_;             // [groups]

@@ -28,7 +28,8 @@ struct Waits {
 /// What happened so far.
 struct VoiceReport {
   Waits waits;
-  std::int64_t gaps = 0;  ///< times when the audio thread had to play silence
+  std::int64_t gaps = 0;              ///< times when the audio thread had to play silence
+  std::vector<std::string> doubts{};  ///< what was beyond the limits of a model, for warnings
 };
 
 class Voice {

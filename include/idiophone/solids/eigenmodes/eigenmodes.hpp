@@ -24,7 +24,9 @@ struct Options {
   MassMatrix mass = MassMatrix::lumped;
   std::optional<double> shift = std::nullopt;  ///< the search begins so far below zero, Hz; default: a tenth of a rough
                                                ///< estimate of the lowest frequency
-  PartWatch watch = {};  ///< of the search, in modes; no mode is missing below those that it leaves
+  bool align_double_modes = false;  ///< of one frequency, so that few products of three modes are not zero on a round
+                                    ///< body. On one rank only
+  PartWatch watch = {};             ///< of the search, in modes; no mode is missing below those that it leaves
 };
 
 /// One way to vibrate.
