@@ -72,6 +72,9 @@ void declare(CLI::App& app, BenchOptions& options) {
   app.add_option("--slope-error", options.plan.slope_error,
                  "standard deviation of what a cut does, over what the model says")
       ->capture_default_str();
+  app.add_option("--visits", options.plan.most_visits, "visits that are planned: the next one, and later ones")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   add_body(app, options.body);
   add_mass(app, options.mass, "consistent, or lumped, as the motion has it");
   add_output_file(app, options.page, "a web page to write");

@@ -70,9 +70,8 @@ class Planner {
       plan_.verdict = Verdict::out_of_reach;
       return std::move(plan_);
     }
-    constexpr std::size_t most_visits = 8;
     VectorXd errors = plan_.errors;
-    while (plan_.visits.size() < most_visits && !certainty_.is_in_tune(errors)) {
+    while (std::ssize(plan_.visits) < options_.most_visits && !certainty_.is_in_tune(errors)) {
       std::optional<Visit> visit = visit_within_model(errors);
       if (!visit) {
         break;
