@@ -238,7 +238,9 @@ class Planner {
 VectorXd slopes_of(const Strips& strips, const Tool& tool, double place) {
   VectorXd slopes = VectorXd::Zero(strips.slopes.rows());
   for (std::size_t strip = 0; strip < strips.places.size(); ++strip) {
-    slopes += depth_share(tool, strips.places[strip] - place) * strips.slopes.col(static_cast<Eigen::Index>(strip));
+    const double middle = strips.places[strip] - place, half = strips.width / 2;
+    const double share = mean_depth_share(tool, middle - half, middle + half);
+    slopes += share * strips.slopes.col(static_cast<Eigen::Index>(strip));
   }
   return slopes;
 }
