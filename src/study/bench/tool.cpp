@@ -86,7 +86,7 @@ void require_suitable_radii(const std::vector<Tool>& tools, double length) {
 }
 
 std::vector<Tool> doubt_narrow_tools(std::vector<Tool>& tools, double thinnest) {
-  constexpr double narrow_error = 0.35;
+  constexpr double narrow_error = 0.15;
   std::vector<Tool> narrow;
   for (Tool& tool : tools) {
     if (2 * tool.radius < thinnest) {
