@@ -55,10 +55,10 @@ struct Plan {
 [[nodiscard]] Eigen::VectorXd slopes_of(const Strips& strips, const Tool& tool, double place);
 
 /// Chooses cuts by non-negative least squares over all tools and places. Each partial goes as near to its target as it
-/// can, so that with a probability of 97.7 % (two standard deviations) it does not pass it by more than the tolerance,
-/// or than twice the uncertainty of its measurement where that is more. The body is solved with the cuts, and their
-/// depths are corrected by the slopes half-way, in up to five rounds; then they become shallower until they are safe.
-/// No cut is deeper than allowed.
+/// can, so that with a probability of 99.9 % (three standard deviations) it does not pass it by more than 5/3 of the
+/// tolerance, or than three times the uncertainty of its measurement where that is more. The body is solved with the
+/// cuts, and their depths are corrected by the slopes half-way, in up to five rounds; then they become shallower until
+/// they are safe. No cut is deeper than allowed.
 /// @param model  of the body; what it is with no further cut counts as the measured body
 /// It never says `ambiguous`.
 /// @throws OutsideOfModel where the model has no answer for the next cuts
