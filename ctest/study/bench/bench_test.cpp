@@ -8,6 +8,8 @@
 
 #include "block_mesh.hpp"
 #include "certainty.hpp"
+#include "idiophone/foundation/element/reference.hpp"
+#include "idiophone/solids/mesh/face_shares.hpp"
 #include "idiophone/study/bench/cut_drawing.hpp"
 #include "idiophone/study/bench/cut_list.hpp"
 #include "idiophone/study/bench/cut_plan.hpp"
@@ -107,15 +109,24 @@ TEST(Strips, AddUpToTheSide) {
   EXPECT_THROW(static_cast<void>(strips_of_block("below")), std::runtime_error);
 }
 
-double volume_below(const mesh::Mesh& mesh) {
+/// Volume between the outer surfaces of two meshes whose nodes differ in z, by the shape functions of their faces.
+double volume_between(const mesh::Mesh& before, const mesh::Mesh& after) {
   double volume = 0.0;
-  for (const mesh::Triangle& face : mesh.surface) {
-    volume += mesh.nodes[face[0]].dot(mesh.nodes[face[1]].cross(mesh.nodes[face[2]])) / 6;
-  }
+  for_each_shared_face(before, [&](std::span<const mesh::ElementFace> shared) {
+    if (shared.size() > 1) {
+      return;
+    }
+    const std::vector<Vector3> areas = face_areas(before, shared.front());
+    const auto& places = element::reference(before.element).faces[shared.front().side].nodes;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const Index node = before.element_nodes(shared.front().element)[places[k]];
+      volume += areas[k].z() * (before.nodes[node] - after.nodes[node]).z();
+    }
+  });
   return volume;
 }
 
-// Exact but for the sums over points of the surface, and nodes that are not in the middle of their triangles.
+// Exact but for the sums over pieces of the surface.
 TEST(CuttableMesh, LosesTheVolumeOfTheCuts) {
   const mesh::Mesh mesh = support::block_mesh(element::hex(3, 2), {length, width, height}, {5, 1, 1});
   const CuttableMesh cuttable(mesh, read_side("", mesh));
@@ -123,11 +134,10 @@ TEST(CuttableMesh, LosesTheVolumeOfTheCuts) {
                                  {{"sander", Profile::hollow, 0.02}, 0.2, 2e-3, {}}};
   const double removed = width * (0.006 * 1e-3 + 0.02 * 2e-3);
   const mesh::Mesh cut = cuttable.with(cuts);
-  EXPECT_NEAR(volume_below(mesh) - volume_below(cut), removed, 0.02 * removed);
+  EXPECT_NEAR(volume_between(mesh, cut), removed, 0.02 * removed);
   for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
     const Vector3 moved = cut.nodes[node] - mesh.nodes[node];
     EXPECT_EQ(moved.head<2>().norm(), 0.0);
-    EXPECT_GE(moved.z(), 0.0);
     if (mesh.nodes[node].z() > height - 1e-9) {
       EXPECT_EQ(moved.z(), 0.0);
     }
@@ -315,7 +325,7 @@ TEST(Plan, SaysWhatIsNotSafe) {
 TEST(Plan, MakesCutsOfDoubtedToolsShallower) {
   std::vector<Tool> doubted = both_tools;
   for (Tool& tool : doubted) {
-    tool.slope_error = 0.5;
+    tool.slope_error = 0.25;
   }
   const Partials partials{Eigen::Vector2d(60, 30), Eigen::Vector2d(0.5, 0.5), false};
   const Plan plan = plan_cuts(straight(bar()), doubted, partials, {});
