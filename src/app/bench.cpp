@@ -72,6 +72,9 @@ void declare(CLI::App& app, BenchOptions& options) {
   app.add_option("--slope-error", options.plan.slope_error,
                  "standard deviation of what a cut does, over what the model says")
       ->capture_default_str();
+  app.add_option("--visits", options.plan.most_visits, "visits that are planned: the next one, and later ones")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   add_body(app, options.body);
   add_mass(app, options.mass, "consistent, or lumped, as the motion has it");
   add_output_file(app, options.page, "a web page to write");
@@ -125,7 +128,7 @@ bench::Beliefs beliefs_of(const BenchOptions& options) {
 void warn_of_narrow_tools(std::vector<bench::Tool>& tools, const bench::Workpiece& piece) {
   for (const bench::Tool& tool : bench::doubt_narrow_tools(tools, piece.thinnest())) {
     spdlog::warn(
-        "{}:{:g} cuts {:.1f} mm wide, and the body is {:.1f} mm thick: such a cut does up to twice what the model "
+        "{}:{:g} cuts {:.1f} mm wide, and the body is {:.1f} mm thick: such a cut does more than the model "
         "says. "
         "Its slope error counts as {:g} at least, so its cuts are shallower",
         tool.name, tool.radius, 2e3 * tool.radius, 1e3 * piece.thinnest(), tool.slope_error);

@@ -8,6 +8,8 @@
 
 #include "block_mesh.hpp"
 #include "certainty.hpp"
+#include "idiophone/foundation/element/reference.hpp"
+#include "idiophone/solids/mesh/face_shares.hpp"
 #include "idiophone/study/bench/cut_drawing.hpp"
 #include "idiophone/study/bench/cut_list.hpp"
 #include "idiophone/study/bench/cut_plan.hpp"
@@ -79,7 +81,7 @@ TEST(Tools, NarrowerThanTheBodyAreDoubted) {
   const std::vector<Tool> narrow = doubt_narrow_tools(tools, 0.007);
   ASSERT_EQ(narrow.size(), 1U);
   EXPECT_EQ(narrow[0].radius, 0.003);
-  EXPECT_GT(tools[0].slope_error, 0.3);
+  EXPECT_GT(tools[0].slope_error, 0.1);
   EXPECT_EQ(tools[1].slope_error, 0.0);
 }
 
@@ -107,15 +109,24 @@ TEST(Strips, AddUpToTheSide) {
   EXPECT_THROW(static_cast<void>(strips_of_block("below")), std::runtime_error);
 }
 
-double volume_below(const mesh::Mesh& mesh) {
+/// Volume between the outer surfaces of two meshes whose nodes differ in z, by the shape functions of their faces.
+double volume_between(const mesh::Mesh& before, const mesh::Mesh& after) {
   double volume = 0.0;
-  for (const mesh::Triangle& face : mesh.surface) {
-    volume += mesh.nodes[face[0]].dot(mesh.nodes[face[1]].cross(mesh.nodes[face[2]])) / 6;
-  }
+  for_each_shared_face(before, [&](std::span<const mesh::ElementFace> shared) {
+    if (shared.size() > 1) {
+      return;
+    }
+    const std::vector<Vector3> areas = face_areas(before, shared.front());
+    const auto& places = element::reference(before.element).faces[shared.front().side].nodes;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const Index node = before.element_nodes(shared.front().element)[places[k]];
+      volume += areas[k].z() * (before.nodes[node] - after.nodes[node]).z();
+    }
+  });
   return volume;
 }
 
-// Exact but for the sums over points of the surface, and nodes that are not in the middle of their triangles.
+// Exact but for the sums over pieces of the surface.
 TEST(CuttableMesh, LosesTheVolumeOfTheCuts) {
   const mesh::Mesh mesh = support::block_mesh(element::hex(3, 2), {length, width, height}, {5, 1, 1});
   const CuttableMesh cuttable(mesh, read_side("", mesh));
@@ -123,11 +134,10 @@ TEST(CuttableMesh, LosesTheVolumeOfTheCuts) {
                                  {{"sander", Profile::hollow, 0.02}, 0.2, 2e-3, {}}};
   const double removed = width * (0.006 * 1e-3 + 0.02 * 2e-3);
   const mesh::Mesh cut = cuttable.with(cuts);
-  EXPECT_NEAR(volume_below(mesh) - volume_below(cut), removed, 0.02 * removed);
+  EXPECT_NEAR(volume_between(mesh, cut), removed, 0.02 * removed);
   for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
     const Vector3 moved = cut.nodes[node] - mesh.nodes[node];
     EXPECT_EQ(moved.head<2>().norm(), 0.0);
-    EXPECT_GE(moved.z(), 0.0);
     if (mesh.nodes[node].z() > height - 1e-9) {
       EXPECT_EQ(moved.z(), 0.0);
     }
@@ -136,13 +146,13 @@ TEST(CuttableMesh, LosesTheVolumeOfTheCuts) {
                std::runtime_error);
 }
 
-// By themselves, the partials would have to keep 9 and 1 cents.
+// By themselves, the partials would have to keep 13 and 1 cents.
 TEST(Certainty, LeavesTheSameShareOfAllPartialsThatAreOutOfTune) {
   const PlanOptions options;
   const Certainty certainty({Eigen::Vector2d(40, -20), Eigen::Vector2d(0.5, 0.5), false}, options);
   const Eigen::Vector2d spread(6, 2);
-  EXPECT_NEAR((certainty.to_leave(Eigen::Vector2d(40, -20), spread) - Eigen::Vector2d(9, -4.5)).norm(), 0, 1e-12);
-  EXPECT_NEAR((certainty.to_leave(Eigen::Vector2d(40, 2), spread) - Eigen::Vector2d(9, 1)).norm(), 0, 1e-12);
+  EXPECT_NEAR((certainty.to_leave(Eigen::Vector2d(40, -20), spread) - Eigen::Vector2d(13, -6.5)).norm(), 0, 1e-12);
+  EXPECT_NEAR((certainty.to_leave(Eigen::Vector2d(40, 2), spread) - Eigen::Vector2d(13, 1)).norm(), 0, 1e-12);
 }
 
 TEST(Certainty, AsksThatNoPartialGoesAway) {
@@ -212,13 +222,13 @@ Plan plan_for(const Eigen::Vector2d& cents, const PlanOptions& options = {}, dou
   return plan_cuts(straight(bar()), both_tools, {cents, Eigen::Vector2d::Constant(uncertainty), are_ratios}, options);
 }
 
-/// Requires that no partial passes its target by more than a limit, with two standard deviations.
+/// Requires that no partial passes its target by more than a limit, with three standard deviations.
 void expect_safe(const Plan& plan, double limit) {
   Eigen::VectorXd from = plan.errors;
   for (const Visit& visit : plan.visits) {
     for (Eigen::Index p = 0; p < from.size(); ++p) {
       const double passed = from[p] > 0 ? -visit.expected[p] : visit.expected[p];
-      EXPECT_LE(passed + 2 * visit.uncertainties[p], limit + 1e-9) << "partial " << p;
+      EXPECT_LE(passed + 3 * visit.uncertainties[p], limit + 1e-9) << "partial " << p;
     }
     from = visit.expected;
   }
@@ -230,7 +240,7 @@ TEST(Plan, BringsPartialsNearerAndNotTooFar) {
   const Visit& next = plan.visits.front();
   EXPECT_LT(next.expected[0], 30);
   EXPECT_LT(next.expected[1], 20);
-  expect_safe(plan, 3);
+  expect_safe(plan, 5);
   Eigen::Vector2d sum = plan.errors;
   for (const Cut& cut : next.cuts) {
     sum += cut.cents;
@@ -258,7 +268,7 @@ TEST(Plan, TakesWhatTheModelSolvesInsteadOfSlopes) {
   };
   const Plan plan = plan_cuts(curved, both_tools, {Eigen::Vector2d(60, 30), Eigen::Vector2d(0.5, 0.5), false}, {});
   ASSERT_EQ(plan.verdict, Verdict::cut);
-  expect_safe(plan, 3);
+  expect_safe(plan, 5);
   std::vector<Cut> made;
   for (const Visit& visit : plan.visits) {
     made.insert(made.end(), visit.cuts.begin(), visit.cuts.end());
@@ -290,7 +300,7 @@ TEST(Plan, OfRatiosLeavesThePitchFree) {
   EXPECT_NEAR(plan.errors[0], 0, 1e-12);
   EXPECT_NEAR(plan.errors[1], 40, 1e-12);
   EXPECT_LT(plan.visits.front().expected[1], 20);
-  expect_safe(plan, 3);
+  expect_safe(plan, 5);
 }
 
 TEST(Plan, EndsWhereThePartialsAreInTune) {
@@ -305,7 +315,7 @@ TEST(Plan, TakesRoughCutsWhereNoGentleOnesAreSafe) {
   const Plan plan = plan_for({20, 1}, {.deepest = 5e-4});
   ASSERT_EQ(plan.verdict, Verdict::cut);
   EXPECT_LT(plan.visits.front().expected[0], 12);
-  expect_safe(plan, 3);
+  expect_safe(plan, 5);
 }
 
 TEST(Plan, SaysWhatIsNotSafe) {
@@ -315,7 +325,7 @@ TEST(Plan, SaysWhatIsNotSafe) {
 TEST(Plan, MakesCutsOfDoubtedToolsShallower) {
   std::vector<Tool> doubted = both_tools;
   for (Tool& tool : doubted) {
-    tool.slope_error = 0.5;
+    tool.slope_error = 0.25;
   }
   const Partials partials{Eigen::Vector2d(60, 30), Eigen::Vector2d(0.5, 0.5), false};
   const Plan plan = plan_cuts(straight(bar()), doubted, partials, {});
@@ -340,7 +350,7 @@ TEST(Plan, MakesCutsShallowerOrRefusesThemWhereTheSolvedBodyGoesTooFar) {
   EXPECT_FALSE(never.is_settled);
   const Plan shallow = plan_cuts(jumping(4e-4), both_tools, partials, {});
   EXPECT_EQ(shallow.verdict, Verdict::cut);
-  expect_safe(shallow, 3);
+  expect_safe(shallow, 5);
   const Plan careful = plan_for({20, 10}, {.depth_error = 5e-4});
   EXPECT_TRUE(careful.is_settled);
 }

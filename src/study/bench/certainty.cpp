@@ -15,7 +15,8 @@ Certainty::Certainty(const Partials& partials, const PlanOptions& options)
     measured_ = (measured_.array().square() + std::pow(partials.uncertainties[0], 2)).sqrt();
     measured_[0] = 0.0;
   }
-  limits_ = (certain * measured_).cwiseMax(options.tolerance);
+  constexpr double passed = 5.0 / 3;  // of the tolerance
+  limits_ = (certain * measured_).cwiseMax(passed * options.tolerance);
 }
 
 MatrixXd Certainty::of_intervals(const MatrixXd& cents) const {

@@ -13,7 +13,7 @@ class Certainty {
  public:
   Certainty(const Partials& partials, const PlanOptions& options);
 
-  static constexpr double certain = 2.0;  ///< standard deviations
+  static constexpr double certain = 3.0;  ///< standard deviations
 
   /// Of partials, or of ratios the intervals above the first one; [partials] or [partials x ...]
   [[nodiscard]] Eigen::MatrixXd of_intervals(const Eigen::MatrixXd& cents) const;

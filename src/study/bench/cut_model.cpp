@@ -18,4 +18,12 @@ double depth_of(const std::vector<Cut>& cuts, double along) {
   return depth;
 }
 
+double mean_depth_of(const std::vector<Cut>& cuts, const std::array<double, 2>& ends) {
+  double depth = 0.0;
+  for (const Cut& cut : cuts) {
+    depth += cut.depth * mean_depth_share(cut.tool, ends[0] - cut.place, ends[1] - cut.place);
+  }
+  return depth;
+}
+
 }  // namespace idiophone::bench

@@ -70,9 +70,8 @@ class Planner {
       plan_.verdict = Verdict::out_of_reach;
       return std::move(plan_);
     }
-    constexpr std::size_t most_visits = 8;
     VectorXd errors = plan_.errors;
-    while (plan_.visits.size() < most_visits && !certainty_.is_in_tune(errors)) {
+    while (std::ssize(plan_.visits) < options_.most_visits && !certainty_.is_in_tune(errors)) {
       std::optional<Visit> visit = visit_within_model(errors);
       if (!visit) {
         break;
@@ -239,7 +238,9 @@ class Planner {
 VectorXd slopes_of(const Strips& strips, const Tool& tool, double place) {
   VectorXd slopes = VectorXd::Zero(strips.slopes.rows());
   for (std::size_t strip = 0; strip < strips.places.size(); ++strip) {
-    slopes += depth_share(tool, strips.places[strip] - place) * strips.slopes.col(static_cast<Eigen::Index>(strip));
+    const double middle = strips.places[strip] - place, half = strips.width / 2;
+    const double share = mean_depth_share(tool, middle - half, middle + half);
+    slopes += share * strips.slopes.col(static_cast<Eigen::Index>(strip));
   }
   return slopes;
 }

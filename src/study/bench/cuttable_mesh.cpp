@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "side_pieces.hpp"
 #include "triangles_along.hpp"
 
 namespace idiophone::bench {
@@ -104,38 +105,13 @@ void CuttableMesh::follow(Index node, const TrianglesAlong& faces, const Triangl
 std::vector<double> CuttableMesh::depths_of(const std::vector<Cut>& cuts) const {
   std::vector<double> volumes(mesh_.nodes.size(), 0.0);
   std::vector<double> areas(mesh_.nodes.size(), 0.0);
-  double narrowest = 1.0;  // m
-  for (const Cut& cut : cuts) {
-    narrowest = std::min(narrowest, cut.tool.radius);
-  }
-  for (const mesh::Triangle& face : faces_) {
-    const std::array<Vector3, 3> corners = corners_of(mesh_, face);
-    const auto [low, high] =
-        std::ranges::minmax({corners[0][side_.along], corners[1][side_.along], corners[2][side_.along]});
-    // A depth is measured across the side, so an area counts as it is seen from there.
-    const double area = std::abs((corners[1] - corners[0]).cross(corners[2] - corners[0])[side_.facing]) / 2;
-    constexpr double parts_of_radius = 8;
-    const int parts = std::clamp(static_cast<int>(std::ceil(parts_of_radius * (high - low) / narrowest)), 4, 100);
-    const auto add = [&](double a, double b) {
-      const std::array<double, 3> shares = {a, b, 1 - a - b};
-      const double along =
-          a * corners[0][side_.along] + b * corners[1][side_.along] + shares[2] * corners[2][side_.along];
-      const double depth = depth_of(cuts, along);
-      for (std::size_t k = 0; k < 3; ++k) {
-        const double part = area / (parts * parts) * shares.at(k);
-        volumes[face.at(k)] += part * depth;
-        areas[face.at(k)] += part;
-      }
-    };
-    for (int i = 0; i < parts; ++i) {
-      for (int j = 0; i + j < parts; ++j) {
-        add((i + 1.0 / 3) / parts, (j + 1.0 / 3) / parts);
-        if (i + j < parts - 1) {
-          add((i + 2.0 / 3) / parts, (j + 2.0 / 3) / parts);
-        }
-      }
+  for_each_piece(mesh_, faces_, side_, [&](const SidePiece& piece) {
+    const double volume = piece.area * mean_depth_of(cuts, piece.ends);
+    for (std::size_t k = 0; k < piece.nodes.size(); ++k) {
+      volumes[piece.nodes[k]] += piece.shares[k] * volume;
+      areas[piece.nodes[k]] += piece.shares[k] * piece.area;
     }
-  }
+  });
   for (std::size_t node = 0; node < volumes.size(); ++node) {
     volumes[node] = areas[node] > 0 ? volumes[node] / areas[node] : 0.0;
   }

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -40,6 +41,20 @@ Tool read_tool(const std::string& text) {
       text));
 }
 
+/// Integral of depth_share() from the middle of a cut to a place (m), m.
+double integral_to(const Tool& tool, double place) {
+  const double inside = std::clamp(place, -tool.radius, tool.radius);
+  switch (tool.profile) {
+    case Profile::groove:
+      return inside;
+    case Profile::hollow: {
+      constexpr double pi = std::numbers::pi;
+      return inside / 2 + tool.radius / (2 * pi) * std::sin(pi * inside / tool.radius);
+    }
+  }
+  return 0.0;
+}
+
 }  // namespace
 
 std::vector<Tool> read_tools(const std::vector<std::string>& texts) {
@@ -71,7 +86,7 @@ void require_suitable_radii(const std::vector<Tool>& tools, double length) {
 }
 
 std::vector<Tool> doubt_narrow_tools(std::vector<Tool>& tools, double thinnest) {
-  constexpr double narrow_error = 0.35;
+  constexpr double narrow_error = 0.15;
   std::vector<Tool> narrow;
   for (Tool& tool : tools) {
     if (2 * tool.radius < thinnest) {
@@ -94,6 +109,10 @@ double depth_share(const Tool& tool, double distance) {
       return std::pow(std::cos(std::numbers::pi * share / 2), 2);
   }
   return 0.0;
+}
+
+double mean_depth_share(const Tool& tool, double from, double to) {
+  return (integral_to(tool, to) - integral_to(tool, from)) / (to - from);
 }
 
 }  // namespace idiophone::bench

@@ -2,6 +2,7 @@
 // What a plan of cuts asks of a body.
 
 #include <Eigen/Core>
+#include <array>
 #include <functional>
 #include <stdexcept>
 #include <vector>
@@ -29,6 +30,9 @@ struct Cut {
 
 /// Depth of some cuts together at a place along the body, m.
 [[nodiscard]] double depth_of(const std::vector<Cut>& cuts, double along);
+
+/// Mean of depth_of() between two places along the body (m, ascending), m.
+[[nodiscard]] double mean_depth_of(const std::vector<Cut>& cuts, const std::array<double, 2>& ends);
 
 /// A body after some cuts, as a model has it.
 struct CutBody {

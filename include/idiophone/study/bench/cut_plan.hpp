@@ -20,6 +20,7 @@ struct PlanOptions {
   double deepest = 1e-3;      ///< m, of one cut
   double depth_error = 1e-4;  ///< m, standard deviation of the depth of a cut
   double slope_error = 0.1;   ///< standard deviation of what a cut does, over that
+  int most_visits = 8;        ///< that are planned, from 1 on
 };
 
 enum class Verdict {
@@ -43,8 +44,8 @@ struct Plan {
   Eigen::VectorXd errors = {};       ///< [partials] now
   Eigen::VectorXd measured = {};     ///< [partials] standard deviations of `errors`
   std::vector<Visit> visits = {};    ///< the cuts to make now, and then those of each next visit if each tap gives what
-                                     ///< is expected; up to the target, to where no cut is safe, or
-                                     ///< to the end of the model
+                                     ///< is expected; up to the target, to where no cut is safe, to
+                                     ///< the end of the model, or to as many as are planned
   bool is_settled = true;            ///< false where slopes allow cuts, but the solved body refuses them
   Eigen::VectorXd unreachable = {};  ///< [partials] errors that the best cuts, each up to half of the body's thickness,
                                      ///< leave
@@ -54,10 +55,10 @@ struct Plan {
 [[nodiscard]] Eigen::VectorXd slopes_of(const Strips& strips, const Tool& tool, double place);
 
 /// Chooses cuts by non-negative least squares over all tools and places. Each partial goes as near to its target as it
-/// can, so that with a probability of 97.7 % (two standard deviations) it does not pass it by more than the tolerance,
-/// or than twice the uncertainty of its measurement where that is more. The body is solved with the cuts, and their
-/// depths are corrected by the slopes half-way, in up to five rounds; then they become shallower until they are safe.
-/// No cut is deeper than allowed. At most eight visits are planned.
+/// can, so that with a probability of 99.9 % (three standard deviations) it does not pass it by more than 5/3 of the
+/// tolerance, or than three times the uncertainty of its measurement where that is more. The body is solved with the
+/// cuts, and their depths are corrected by the slopes half-way, in up to five rounds; then they become shallower until
+/// they are safe. No cut is deeper than allowed.
 /// @param model  of the body; what it is with no further cut counts as the measured body
 /// It never says `ambiguous`.
 /// @throws OutsideOfModel where the model has no answer for the next cuts

@@ -12,9 +12,9 @@ namespace idiophone::bench {
 
 class TrianglesAlong;
 
-/// Nodes of the side move into the body by the mean depth of the cuts around them, weighted by linear shape functions
-/// of the surface, so that the removed volume is right however narrow a cut is. Nodes between the side and the surface
-/// behind it move with them, the less the nearer they are to that surface.
+/// Nodes of the side move into the body by the mean depth of the cuts around them, weighted by the shape functions of
+/// the surface (for_each_piece()), so that the removed volume is right however narrow a cut is, and wherever. Nodes
+/// between the side and the surface behind it move with them, the less the nearer they are to that surface.
 class CuttableMesh {
  public:
   /// @throws as side_faces()

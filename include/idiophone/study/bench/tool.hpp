@@ -45,4 +45,8 @@ std::vector<Tool> doubt_narrow_tools(std::vector<Tool>& tools, double thinnest);
 /// Depth at a distance (m) from the middle of a cut, over the greatest depth: 0 to 1.
 [[nodiscard]] double depth_share(const Tool& tool, double distance);
 
+/// Mean of depth_share() between two places.
+/// @param from, to  m from the middle of the cut along the body, ascending
+[[nodiscard]] double mean_depth_share(const Tool& tool, double from, double to);
+
 }  // namespace idiophone::bench
