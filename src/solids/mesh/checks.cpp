@@ -137,9 +137,7 @@ void check_connected(const scene::Body& body, const GmshMesh& loaded) {
     }
   }
   if (parts.size() > 1) {
-    refuse(body, fmt::format("falls into {} parts that share no node; make each a body of its own, or join them. One "
-                             "element of each:{}",
-                             parts.size(), listed(parts)));
+    refuse(body, fmt::format(fmt::runtime(falls_apart), parts.size()) + ". One element of each:" + listed(parts));
   }
 }
 
