@@ -137,7 +137,7 @@ void check_connected(const scene::Body& body, const GmshMesh& loaded) {
     }
   }
   if (parts.size() > 1) {
-    refuse(body, fmt::format(fmt::runtime(falls_apart), parts.size()) + ". One element of each:" + listed(parts));
+    refuse(body, falling_apart(parts.size()) + ". One element of each:" + listed(parts));
   }
 }
 
@@ -207,6 +207,10 @@ std::string text_of_problem(const scene::Body& body, const std::string& problem)
 void check_nodes(const scene::Body& body, const GmshMesh& loaded) {
   check_size(body, loaded);
   check_places(body, loaded);
+}
+
+std::string falling_apart(std::size_t parts) {
+  return fmt::format("falls into {} parts that share no node; make each a body of its own, or join them", parts);
 }
 
 std::string problem_of_elements(const GmshMesh& loaded) {

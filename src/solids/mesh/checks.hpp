@@ -33,9 +33,8 @@ void drop_unused_nodes(const scene::Body& body, GmshMesh& loaded);
 ///         small to be in metres, or two nodes are in one place
 void check_nodes(const scene::Body& body, const GmshMesh& loaded);
 
-/// For text_of_problem(), with the number of the parts.
-inline constexpr const char* falls_apart =
-    "falls into {} parts that share no node; make each a body of its own, or join them";
+/// That a mesh falls into parts, for text_of_problem().
+[[nodiscard]] std::string falling_apart(std::size_t parts);
 
 /// What makes elements unfit, of a mesh or of a part of one: they are inverted or flat, or more than two share a face.
 /// @return for text_of_problem(); empty for nothing

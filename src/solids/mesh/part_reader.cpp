@@ -1,7 +1,5 @@
 #include "part_reader.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "checks.hpp"
@@ -65,7 +63,7 @@ ReadPart PartReader::read() {
     take_surface(body);
     require_fit(body, problem_of_elements(around_[body]));
     const Index pieces = count_connected(around_[body], outlines_.offsets.nodes[body], first_, communicator_);
-    require_fit(body, pieces == 1 ? "" : fmt::format(fmt::runtime(falls_apart), pieces));
+    require_fit(body, pieces == 1 ? "" : falling_apart(static_cast<std::size_t>(pieces)));
   }
   number_vertices();
   ReadPart result{.part = build(), .statistics = {}};
