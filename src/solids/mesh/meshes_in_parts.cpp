@@ -10,7 +10,7 @@
 #include "idiophone/solids/mesh/numbered_faces.hpp"
 #include "load_mesh_file.hpp"
 #include "mesh_file_paths.hpp"
-#include "mesh_tables.hpp"
+#include "mesh_table_reader.hpp"
 #include "part_reader.hpp"
 
 namespace idiophone::mesh {

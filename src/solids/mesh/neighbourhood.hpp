@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "element_rows.hpp"
+#include "element_reader.hpp"
 #include "gmsh_mesh.hpp"
 
 namespace idiophone::mesh {

@@ -11,7 +11,7 @@
 #include "idiophone/solids/mesh/mesh_file.hpp"
 #include "mesh_file_paths.hpp"
 #include "mesh_outline.hpp"
-#include "mesh_tables.hpp"
+#include "mesh_table_reader.hpp"
 
 namespace idiophone::mesh {
 

@@ -1,4 +1,4 @@
-#include "element_rows.hpp"
+#include "element_reader.hpp"
 
 #include <algorithm>
 #include <stdexcept>
@@ -13,7 +13,7 @@
 #include "load_mesh_file.hpp"
 #include "mesh_file_paths.hpp"
 #include "mesh_outline.hpp"
-#include "mesh_tables.hpp"
+#include "mesh_table_reader.hpp"
 
 namespace idiophone::mesh {
 

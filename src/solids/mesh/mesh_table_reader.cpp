@@ -1,4 +1,4 @@
-#include "mesh_tables.hpp"
+#include "mesh_table_reader.hpp"
 
 #include <fmt/format.h>
 
