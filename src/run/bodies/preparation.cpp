@@ -11,8 +11,10 @@
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/solids/contact/outline.hpp"
+#include "idiophone/solids/mesh/meshes_in_parts.hpp"
 #include "modal_preparation.hpp"
 #include "preparation_report.hpp"
+#include "reading_in_parts.hpp"
 #include "steps.hpp"
 
 namespace idiophone::bodies {
@@ -74,38 +76,17 @@ void check_placement(const Preparation& ready, const std::vector<mesh::Mesh>& me
   }
 }
 
-}  // namespace
-
-std::vector<mesh::Mesh> read_meshes(std::span<const scene::Body> bodies, MPI_Comm communicator) {
-  std::vector<mesh::Mesh> meshes;
-  parallel::on_root(communicator, [&] {
-    meshes = mesh::read_meshes(bodies);
-    for (std::size_t body = 0; body < meshes.size(); ++body) {
-      for (const auto& note : meshes[body].notes) {
-        spdlog::warn("body {}: {}", bodies[body].name, note);
-      }
-    }
-  });
-  return meshes;
-}
-
-Preparation prepare(scene::Scene scene, MPI_Comm communicator) {
-  const std::vector<mesh::Mesh> meshes = read_meshes(scene.bodies, communicator);
-  return prepare(std::move(scene), meshes, communicator);
-}
-
-Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& whole, MPI_Comm communicator) {
-  Preparation ready;
-  ready.scene = std::move(scene);
-  std::vector<mesh::Mesh> divided;
-  parallel::on_root(communicator, [&] { divided = divide(ready.scene.bodies, whole); });
-  const std::vector<mesh::Mesh>& meshes = divided.empty() ? whole : divided;
+/// Finds everything but the meshes. Collective.
+/// @param ready       with the scene and the offsets, and the statistics where bodies move by their modes
+/// @param meshes      on rank 0; without elements where they are read in parts
+/// @param distribute  gives this rank its part, and rank 0 the statistics if there are none yet. Collective.
+template <class Distribute>
+Preparation complete(Preparation ready, const std::vector<mesh::Mesh>& meshes, const Distribute& distribute,
+                     MPI_Comm communicator) {
   parallel::on_root(communicator, [&] {
     for (const mesh::Mesh& mesh : meshes) {
-      ready.statistics.push_back(mesh::statistics(mesh));
       ready.mesh_hash += mesh.hash;
     }
-    ready.offsets = mesh::offsets(meshes);
     ready.attachments = motion::attach(ready.scene, meshes);
     ready.contact_surfaces = contact::find_contact_surfaces(ready.scene, meshes);
     check_placement(ready, meshes);
@@ -114,10 +95,7 @@ Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& whole, MP
   ready.attachments = motion::broadcast(std::move(ready.attachments), ready.scene, communicator);
   ready.modal_bases = modal_bodies::broadcast(std::move(ready.modal_bases), communicator);
   parallel::broadcast(ready.mesh_hash, communicator);
-  for (auto* offsets : {&ready.offsets.nodes, &ready.offsets.elements, &ready.offsets.triangles}) {
-    parallel::broadcast(*offsets, communicator);
-  }
-  ready.part = mesh::distribute(meshes, communicator, motion::coupled_nodes(ready.attachments));
+  distribute(ready);
   ready.initial_state =
       motion::find_initial_state(ready.scene, own_step(ready.scene), meshes, ready.part, ready.attachments,
                                  ready.contact_surfaces, ready.models(), communicator);
@@ -136,6 +114,62 @@ Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& whole, MP
     report(ready);
   }
   return ready;
+}
+
+}  // namespace
+
+std::vector<mesh::Mesh> read_meshes(std::span<const scene::Body> bodies, MPI_Comm communicator) {
+  std::vector<mesh::Mesh> meshes;
+  parallel::on_root(communicator, [&] {
+    meshes = mesh::read_meshes(bodies);
+    for (std::size_t body = 0; body < meshes.size(); ++body) {
+      for (const auto& note : meshes[body].notes) {
+        spdlog::warn("body {}: {}", bodies[body].name, note);
+      }
+    }
+  });
+  return meshes;
+}
+
+Preparation prepare(scene::Scene scene, MPI_Comm communicator) {
+  if (!reads_in_parts(scene, communicator)) {
+    const std::vector<mesh::Mesh> meshes = read_meshes(scene.bodies, communicator);
+    return prepare(std::move(scene), meshes, communicator);
+  }
+  if (parallel::is_root(communicator)) {
+    spdlog::info("each rank reads its part of the meshes");
+  }
+  Preparation ready;
+  ready.scene = std::move(scene);
+  const mesh::Outlines outlines = mesh::read_outlines(ready.scene.bodies, communicator);
+  ready.offsets = outlines.offsets;
+  const auto distribute = [&](Preparation& to) {
+    mesh::ReadPart read =
+        mesh::read_part(to.scene.bodies, outlines, motion::coupled_nodes(to.attachments), communicator);
+    to.part = std::move(read.part);
+    to.statistics = std::move(read.statistics);
+  };
+  return complete(std::move(ready), outlines.meshes, distribute, communicator);
+}
+
+Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& whole, MPI_Comm communicator) {
+  Preparation ready;
+  ready.scene = std::move(scene);
+  std::vector<mesh::Mesh> divided;
+  parallel::on_root(communicator, [&] { divided = divide(ready.scene.bodies, whole); });
+  const std::vector<mesh::Mesh>& meshes = divided.empty() ? whole : divided;
+  parallel::on_root(communicator, [&] {
+    std::ranges::transform(meshes, std::back_inserter(ready.statistics),
+                           [](const mesh::Mesh& mesh) { return mesh::statistics(mesh); });
+    ready.offsets = mesh::offsets(meshes);
+  });
+  for (auto* offsets : {&ready.offsets.nodes, &ready.offsets.elements, &ready.offsets.triangles}) {
+    parallel::broadcast(*offsets, communicator);
+  }
+  const auto distribute = [&](Preparation& to) {
+    to.part = mesh::distribute(meshes, communicator, motion::coupled_nodes(to.attachments));
+  };
+  return complete(std::move(ready), meshes, distribute, communicator);
 }
 
 }  // namespace idiophone::bodies

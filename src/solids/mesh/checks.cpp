@@ -21,8 +21,13 @@ constexpr double same_place = 1e-9;         ///< of the mesh's size: nodes neare
 constexpr std::size_t listed_at_most = 10;  ///< culprits named in an error
 
 [[noreturn]] void refuse(const scene::Body& body, const std::string& message) {
-  throw deck::DeckError(body.mesh_where,
-                        fmt::format("the mesh of body '{}', {}, {}", body.name, body.mesh.string(), message));
+  throw deck::DeckError(body.mesh_where, text_of_problem(body, message));
+}
+
+void require_none(const scene::Body& body, const std::string& problem) {
+  if (!problem.empty()) {
+    refuse(body, problem);
+  }
 }
 
 /// One line for each of the first culprits, and how many more there are.
@@ -85,7 +90,8 @@ void check_places(const scene::Body& body, const GmshMesh& loaded) {
   }
 }
 
-void check_elements(const scene::Body& body, const GmshMesh& loaded) {
+/// What is wrong with the shapes of elements; empty for nothing. Likewise below.
+std::string problem_of_shapes(const GmshMesh& loaded) {
   std::vector<std::string> culprits;
   Index inverted = 0;
   for (Index element = 0; element < loaded.mesh.element_count(); ++element) {
@@ -95,27 +101,28 @@ void check_elements(const scene::Body& body, const GmshMesh& loaded) {
       culprits.push_back(fmt::format("{}, quality {:.3g}", element_text(loaded, element), quality));
     }
   }
-  if (!culprits.empty()) {
-    const bool all = inverted == loaded.mesh.element_count();
-    refuse(body, fmt::format("has {} inverted and {} flat elements of {}{}:{}", inverted,
-                             culprits.size() - static_cast<std::size_t>(inverted), loaded.mesh.element_count(),
-                             all ? ", all of them: its numbering is left-handed; exchange two corners of every element "
-                                   "or mirror it"
-                                 : " (finer or straight-sided elements may help)",
-                             listed(culprits)));
+  if (culprits.empty()) {
+    return "";
   }
+  const bool all = inverted == loaded.mesh.element_count();
+  return fmt::format("has {} inverted and {} flat elements of {}{}:{}", inverted,
+                     culprits.size() - static_cast<std::size_t>(inverted), loaded.mesh.element_count(),
+                     all ? ", all of them: its numbering is left-handed; exchange two corners of every element "
+                           "or mirror it"
+                         : " (finer or straight-sided elements may help)",
+                     listed(culprits));
 }
 
-void check_faces(const scene::Body& body, const GmshMesh& loaded) {
+std::string problem_of_faces(const GmshMesh& loaded) {
   std::vector<std::string> culprits;
   for_each_shared_face(loaded.mesh, [&](std::span<const ElementFace> faces) {
     for (std::size_t i = 2; i < faces.size(); ++i) {
       culprits.push_back(element_text(loaded, faces[i].element));
     }
   });
-  if (!culprits.empty()) {
-    refuse(body, fmt::format("has faces that more than two elements share, so elements overlap:{}", listed(culprits)));
-  }
+  return culprits.empty()
+             ? ""
+             : fmt::format("has faces that more than two elements share, so elements overlap:{}", listed(culprits));
 }
 
 void check_connected(const scene::Body& body, const GmshMesh& loaded) {
@@ -130,9 +137,7 @@ void check_connected(const scene::Body& body, const GmshMesh& loaded) {
     }
   }
   if (parts.size() > 1) {
-    refuse(body, fmt::format("falls into {} parts that share no node; make each a body of its own, or join them. One "
-                             "element of each:{}",
-                             parts.size(), listed(parts)));
+    refuse(body, falling_apart(parts.size()) + ". One element of each:" + listed(parts));
   }
 }
 
@@ -195,11 +200,27 @@ void refuse_elements(const scene::Body& body, const GmshMesh& loaded, const std:
   refuse_culprits(body, why + ":", culprits);
 }
 
-void check(const scene::Body& body, const GmshMesh& loaded) {
+std::string text_of_problem(const scene::Body& body, const std::string& problem) {
+  return fmt::format("the mesh of body '{}', {}, {}", body.name, body.mesh.string(), problem);
+}
+
+void check_nodes(const scene::Body& body, const GmshMesh& loaded) {
   check_size(body, loaded);
   check_places(body, loaded);
-  check_elements(body, loaded);
-  check_faces(body, loaded);
+}
+
+std::string falling_apart(std::size_t parts) {
+  return fmt::format("falls into {} parts that share no node; make each a body of its own, or join them", parts);
+}
+
+std::string problem_of_elements(const GmshMesh& loaded) {
+  const std::string problem = problem_of_shapes(loaded);
+  return problem.empty() ? problem_of_faces(loaded) : problem;
+}
+
+void check(const scene::Body& body, const GmshMesh& loaded) {
+  check_nodes(body, loaded);
+  require_none(body, problem_of_elements(loaded));
   check_connected(body, loaded);
 }
 

@@ -24,6 +24,22 @@ void drop_unused_nodes(const scene::Body& body, GmshMesh& loaded);
 [[noreturn]] void refuse_elements(const scene::Body& body, const GmshMesh& loaded, const std::vector<Index>& elements,
                                   const std::string& why);
 
+/// "the mesh of body 'bell', bell.msh, has ..."
+/// @param problem  what comes after the name of the file
+[[nodiscard]] std::string text_of_problem(const scene::Body& body, const std::string& problem);
+
+/// The part of check() that needs no elements.
+/// @throws deck::DeckError, pointing at the body's mesh key, when a node is too far from the origin or the mesh is too
+///         small to be in metres, or two nodes are in one place
+void check_nodes(const scene::Body& body, const GmshMesh& loaded);
+
+/// That a mesh falls into parts, for text_of_problem().
+[[nodiscard]] std::string falling_apart(std::size_t parts);
+
+/// What makes elements unfit, of a mesh or of a part of one: they are inverted or flat, or more than two share a face.
+/// @return for text_of_problem(); empty for nothing
+[[nodiscard]] std::string problem_of_elements(const GmshMesh& loaded);
+
 /// @throws deck::DeckError, pointing at the body's mesh key, when a node is too far from the origin or the mesh is too
 ///         small to be in metres, two nodes are in one place, elements are inverted or flat, more than two elements
 ///         share a face, or the mesh falls into parts that share no node.

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -27,16 +28,24 @@ Index next_offset(Index offset, std::size_t size, const char* what) {
 
 }  // namespace
 
-Offsets offsets(const std::vector<Mesh>& meshes) {
+Offsets offsets_of(const std::vector<Mesh>& meshes, std::span<const Index> elements) {
   Offsets first{.nodes = {0}, .elements = {0}, .triangles = {0}};
   Index element_nodes = 0;
-  for (const auto& mesh : meshes) {
+  for (std::size_t body = 0; body < meshes.size(); ++body) {
+    const Mesh& mesh = meshes[body];
     first.nodes.push_back(next_offset(first.nodes.back(), mesh.nodes.size(), "nodes"));
-    element_nodes = next_offset(element_nodes, mesh.elements.size(), "nodes of elements");
-    first.elements.push_back(first.elements.back() + mesh.element_count());
+    const auto width = static_cast<std::size_t>(element::node_count(mesh.element));
+    element_nodes = next_offset(element_nodes, width * static_cast<std::size_t>(elements[body]), "nodes of elements");
+    first.elements.push_back(first.elements.back() + elements[body]);
     first.triangles.push_back(next_offset(first.triangles.back(), mesh.surface.size(), "surface triangles"));
   }
   return first;
+}
+
+Offsets offsets(const std::vector<Mesh>& meshes) {
+  std::vector<Index> elements;
+  std::ranges::transform(meshes, std::back_inserter(elements), &Mesh::element_count);
+  return offsets_of(meshes, elements);
 }
 
 Part distribute(const std::vector<Mesh>& meshes, MPI_Comm communicator, std::span<const std::vector<Index>> coupled) {

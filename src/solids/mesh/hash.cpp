@@ -2,42 +2,19 @@
 
 #include <fmt/format.h>
 
-#include <cstddef>
-#include <cstdint>
-
 namespace idiophone::mesh {
 
-namespace {
+std::string Fnv1a::text() const {
+  return fmt::format("{:016x}", value_);
+}
 
-/// The hash of Fowler, Noll and Vo, draft-eastlake-fnv: offset basis and prime for 64 bits.
-class Fnv1a {
- public:
-  /// Takes in a list: its length, then its bytes, so that no two different sequences of lists look the same.
-  template <class Item>
-  void add(std::span<const Item> items) {
-    const auto length = static_cast<std::uint64_t>(items.size());
-    add_bytes(std::as_bytes(std::span(&length, 1)));
-    add_bytes(std::as_bytes(items));
-  }
-  [[nodiscard]] std::uint64_t value() const { return value_; }
-
- private:
-  void add_bytes(std::span<const std::byte> bytes) {
-    for (const std::byte byte : bytes) {
-      value_ = (value_ ^ std::to_integer<std::uint64_t>(byte)) * 0x100000001b3ULL;
-    }
-  }
-  std::uint64_t value_ = 0xcbf29ce484222325ULL;
-};
-
-}  // namespace
-
-std::string hash_of(const Mesh& mesh) {
-  Fnv1a hash;
+void add_nodes(const Mesh& mesh, Fnv1a& hash) {
   const int width = element::node_count(mesh.element);
   hash.add(std::span(&width, 1));
   hash.add(std::span(mesh.nodes));
-  hash.add(std::span(mesh.elements));
+}
+
+void add_surface_and_groups(const Mesh& mesh, Fnv1a& hash) {
   hash.add(std::span(mesh.surface));
   for (const auto& [name, nodes] : mesh.groups) {
     hash.add(std::span(name));
@@ -46,7 +23,14 @@ std::string hash_of(const Mesh& mesh) {
   if (!mesh.regions.empty()) {
     hash.add(std::span(mesh.regions));
   }
-  return fmt::format("{:016x}", hash.value());
+}
+
+std::string hash_of(const Mesh& mesh) {
+  Fnv1a hash;
+  add_nodes(mesh, hash);
+  hash.add(std::span(mesh.elements));
+  add_surface_and_groups(mesh, hash);
+  return hash.text();
 }
 
 }  // namespace idiophone::mesh

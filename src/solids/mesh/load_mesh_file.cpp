@@ -7,31 +7,58 @@
 
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/element/deck_keys.hpp"
+#include "mesh_outline.hpp"
 
 namespace idiophone::mesh {
 
 namespace {
 
+/// @param read  read_mesh_file or read_mesh_outline
+template <class Read>
+StoredMesh read_of(const scene::Body& body, const Read& read) {
+  try {
+    return read(body.mesh);
+  } catch (const std::runtime_error& error) {
+    throw deck::DeckError(body.mesh_where, unreadable(body, error.what()));
+  }
+}
+
 StoredMesh stored_mesh(const scene::Body& body, Answers& known) {
   if (const auto found = known.stored.find(body.mesh); found != known.stored.end()) {
     return found->second;
   }
-  try {
-    StoredMesh stored = read_mesh_file(body.mesh);
-    if (stored.mesh.nodes.size() <= most_kept_nodes) {
-      known.stored.emplace(body.mesh, stored);
-    }
-    return stored;
-  } catch (const std::runtime_error& error) {
-    throw deck::DeckError(body.mesh_where,
-                          fmt::format("the mesh of body '{}' can't be read: {}", body.name, error.what()));
+  StoredMesh stored = read_of(body, read_mesh_file);
+  if (stored.mesh.nodes.size() <= most_kept_nodes) {
+    known.stored.emplace(body.mesh, stored);
   }
+  return stored;
 }
 
 std::vector<std::size_t> numbers_up_to(std::size_t count) {
   std::vector<std::size_t> numbers(count);
   std::iota(numbers.begin(), numbers.end(), std::size_t{0});
   return numbers;
+}
+
+void require_no_thickness(const scene::Body& body) {
+  require_file(body);
+  if (body.thickness) {
+    throw deck::DeckError(body.thickness_where,
+                          fmt::format("bodies.{}: thickness and layers have no meaning: {} already contains the "
+                                      "thickness. Its layers are groups with the names 1, 2, ... for `materials`",
+                                      body.name, body.mesh.string()));
+  }
+}
+
+void require_element(const scene::Body& body, element::Type type) {
+  if (type != body.element) {
+    throw deck::DeckError(
+        body.mesh_where,
+        fmt::format("{} has `{}`, and body '{}' needs `{}`: make it from a body with {}, or give the body "
+                    "the element of the file (obstacles are always tet4)",
+                    body.mesh.string(), element::deck_keys(type), body.name, element::deck_keys(body.element),
+                    element::deck_keys(body.element)));
+  }
 }
 
 }  // namespace
@@ -47,23 +74,14 @@ void require_file(const scene::Body& body) {
   }
 }
 
+std::string unreadable(const scene::Body& body, const std::string& why) {
+  return fmt::format("the mesh of body '{}' can't be read: {}", body.name, why);
+}
+
 GmshMesh load_mesh_file(const scene::Body& body, Answers& known) {
-  require_file(body);
-  if (body.thickness) {
-    throw deck::DeckError(body.thickness_where,
-                          fmt::format("bodies.{}: thickness and layers have no meaning: {} already contains the "
-                                      "thickness. Its layers are groups with the names 1, 2, ... for `materials`",
-                                      body.name, body.mesh.string()));
-  }
+  require_no_thickness(body);
   StoredMesh stored = stored_mesh(body, known);
-  if (stored.mesh.element != body.element) {
-    throw deck::DeckError(
-        body.mesh_where,
-        fmt::format("{} has `{}`, and body '{}' needs `{}`: make it from a body with {}, or give the body "
-                    "the element of the file (obstacles are always tet4)",
-                    body.mesh.string(), element::deck_keys(stored.mesh.element), body.name,
-                    element::deck_keys(body.element), element::deck_keys(body.element)));
-  }
+  require_element(body, stored.mesh.element);
   GmshMesh result;
   result.mesh = std::move(stored.mesh);
   result.node_tags = numbers_up_to(result.mesh.nodes.size());
@@ -73,6 +91,13 @@ GmshMesh load_mesh_file(const scene::Body& body, Answers& known) {
   }
   result.is_stored = true;
   return result;
+}
+
+Mesh load_mesh_outline(const scene::Body& body) {
+  require_no_thickness(body);
+  Mesh outline = read_of(body, read_mesh_outline).mesh;
+  require_element(body, outline.element);
+  return outline;
 }
 
 }  // namespace idiophone::mesh

@@ -2,6 +2,7 @@
 // A body whose mesh is a file of `idiophone mesh`.
 
 #include <filesystem>
+#include <string>
 
 #include "gmsh_mesh.hpp"
 
@@ -18,5 +19,12 @@ void require_file(const scene::Body& body);
 /// @throws deck::DeckError, pointing at the body's mesh key, if it can't be read or has elements of another type than
 ///         the body; pointing at its thickness or layers, which a mesh has already
 [[nodiscard]] GmshMesh load_mesh_file(const scene::Body& body, Answers& known);
+
+/// The same without elements: nodes, surface and groups, and the hash that the file promises.
+/// @throws deck::DeckError as load_mesh_file()
+[[nodiscard]] Mesh load_mesh_outline(const scene::Body& body);
+
+/// "the mesh of body 'bell' can't be read: ..."
+[[nodiscard]] std::string unreadable(const scene::Body& body, const std::string& why);
 
 }  // namespace idiophone::mesh

@@ -48,7 +48,8 @@ struct Preparation {
 /// @throws deck::DeckError for a wrong deck, on rank 0, and parallel::RemoteFailure elsewhere; std::runtime_error
 [[nodiscard]] Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& meshes, MPI_Comm communicator);
 
-/// The same; reads the meshes and drops them.
+/// The same; reads the meshes and drops them. Where they are large mesh files, each rank reads its part
+/// (docs/use/meshes.md says which).
 [[nodiscard]] Preparation prepare(scene::Scene scene, MPI_Comm communicator);
 
 }  // namespace idiophone::bodies

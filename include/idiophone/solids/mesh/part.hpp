@@ -74,6 +74,9 @@ struct Offsets {
   std::vector<Index> nodes, elements, triangles;
 };
 [[nodiscard]] Offsets offsets(const std::vector<Mesh>& meshes);
+/// Of meshes that may lack their elements.
+/// @param elements  [bodies] how many they have
+[[nodiscard]] Offsets offsets_of(const std::vector<Mesh>& meshes, std::span<const Index> elements);
 
 /// Partitions the bodies' nodes with METIS on rank 0 and sends every rank its own. Collective.
 /// The same meshes and rank count give the same parts. No rank gets an empty part.
