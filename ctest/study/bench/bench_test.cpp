@@ -360,7 +360,7 @@ TEST(Plan, RemembersThatTheSolvedBodyRefusedCutsOfTheFirstTools) {
   std::vector<Tool> tools = both_tools;
   tools[0].slope_error = 50.0;
   const Partials partials{Eigen::Vector2d(60, 30), Eigen::Vector2d(0.5, 0.5), false};
-  const Plan plan = plan_cuts(jumping(0), tools, partials, {});
+  const Plan plan = plan_cuts(jumping(0), tools, partials, {.depth_error = 5e-5});
   EXPECT_EQ(plan.verdict, Verdict::not_safe);
   EXPECT_FALSE(plan.is_settled);
 }
