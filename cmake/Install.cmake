@@ -25,7 +25,7 @@ install(FILES ${man_page} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(DIRECTORY meshes inputs docs verification DESTINATION ${share})
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff LICENSE DESTINATION ${share})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/idiophone RENAME copyright)
-install(PROGRAMS scripts/spectrum scripts/spectrogram scripts/score_figure scripts/sound_map_figure scripts/polar scripts/figure scripts/movie
+install(PROGRAMS scripts/spectrum scripts/spectrogram scripts/blows_figure scripts/score_figure scripts/sound_map_figure scripts/polar scripts/figure scripts/movie
         scripts/mesh_sequence scripts/gallery scripts/plugin_presets scripts/timbre_examples scripts/mpi_environment DESTINATION ${share}/scripts)
 install(FILES scripts/job.slurm DESTINATION ${share}/scripts)
 set(library scripts/library)
