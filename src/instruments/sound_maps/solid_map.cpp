@@ -45,6 +45,7 @@ void add_mass_properties(SoundMap& map, const motion::InitialState& properties) 
 
 std::vector<std::vector<double>> shapes_of(std::vector<eigenmodes::Mode> modes) {
   std::vector<std::vector<double>> shapes;
+  shapes.reserve(modes.size());
   for (eigenmodes::Mode& mode : modes) {
     shapes.push_back(std::move(mode.shape));
   }

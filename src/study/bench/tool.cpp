@@ -59,6 +59,7 @@ double integral_to(const Tool& tool, double place) {
 
 std::vector<Tool> read_tools(const std::vector<std::string>& texts) {
   std::vector<Tool> tools;
+  tools.reserve(texts.size());
   for (const std::string& text : texts) {
     tools.push_back(read_tool(text));
   }

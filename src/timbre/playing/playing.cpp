@@ -103,7 +103,7 @@ std::unique_ptr<outputs::Output> output_of(const PlaySettings& settings, const s
 
 /// @return of the stage
 voices::VoiceReport report(const PlaySettings& settings, const voices::Stage& stage, const drivers::Drivers& drivers) {
-  const voices::VoiceReport told = stage.report();
+  voices::VoiceReport told = stage.report();
   if (told.waits.count > 0) {
     // The block that a blow begins in is heard after it is computed: one block more.
     const double block = static_cast<double>(settings.frames) / stage.rate();

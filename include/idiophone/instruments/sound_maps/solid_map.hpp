@@ -14,10 +14,11 @@ namespace idiophone::sound_maps {
 /// depend on the number of ranks. Fills in everything except for `code_version`, `resolved_deck` and the radiation. The
 /// surface is that of all these bodies, without the triangles that joints cover (joints::covered_triangles()).
 /// @param body       index into Scene::bodies; its name is the map's. Loads, contacts and other bodies are left out.
+/// @param wanted     modes; double ones are aligned where amplitudes are large
 /// @param estimates  of the error of the mesh; there are none of a body with joints
 /// @throws deck::DeckError as mesh::read_mesh() and motion::attach(), and where joints cover all of the surface;
 /// std::runtime_error as eigenmodes::find_modes()
-[[nodiscard]] SoundMap solid_map(const scene::Scene& scene, std::size_t body, const eigenmodes::Options& options,
+[[nodiscard]] SoundMap solid_map(const scene::Scene& scene, std::size_t body, const eigenmodes::Options& wanted,
                                  eigenmodes::Estimates estimates);
 
 }  // namespace idiophone::sound_maps

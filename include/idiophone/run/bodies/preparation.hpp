@@ -44,9 +44,9 @@ struct Preparation {
 
 /// Partitions all bodies, and finds their initial state. Collective.
 /// @param scene   the same on all ranks
-/// @param meshes  of its bodies, on rank 0; those of bodies that can break are divided here
+/// @param whole   meshes of its bodies, on rank 0; those of bodies that can break are divided here
 /// @throws deck::DeckError for a wrong deck, on rank 0, and parallel::RemoteFailure elsewhere; std::runtime_error
-[[nodiscard]] Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& meshes, MPI_Comm communicator);
+[[nodiscard]] Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& whole, MPI_Comm communicator);
 
 /// The same; reads the meshes and drops them. Where they are large mesh files, each rank reads its part
 /// (docs/use/meshes.md says which).
