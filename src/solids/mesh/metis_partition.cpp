@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "idiophone/foundation/each_once.hpp"
 
@@ -64,14 +66,21 @@ std::vector<idx_t> metis_parts(ElementLists lists, idx_t ranks) {
   if (lists.weights.size() >= few) {
     return one_partition(lists, ranks, METIS_PTYPE_KWAY, 1, 1);
   }
-  std::vector<std::vector<idx_t>> found;
+  std::vector<idx_t> best;
+  std::size_t least = std::numeric_limits<std::size_t>::max();
+  const auto consider = [&](std::vector<idx_t> parts) {
+    if (const std::size_t work = largest_work(lists, parts, ranks); work < least) {
+      least = work;
+      best = std::move(parts);
+    }
+  };
   for (const mptype_et method : {METIS_PTYPE_KWAY, METIS_PTYPE_RB}) {
-    found.push_back(one_partition(lists, ranks, method, 1, 10));
+    consider(one_partition(lists, ranks, method, 1, 10));
     for (idx_t seed = 2; seed <= 10; ++seed) {
-      found.push_back(one_partition(lists, ranks, method, seed, 1));
+      consider(one_partition(lists, ranks, method, seed, 1));
     }
   }
-  return std::ranges::min(found, {}, [&](const auto& parts) { return largest_work(lists, parts, ranks); });
+  return best;
 }
 
 }  // namespace idiophone::mesh

@@ -38,8 +38,10 @@ class RankTimes {
   RankTimes(const RankSteps& steps, const Network& network)
       : steps_(steps), network_(network), hosts_(steps.ranks.size() / network.ranks_on_host + 1) {
     for (std::size_t rank = 0; rank < steps.ranks.size(); ++rank) {
+      computing_.push_back(steps.ranks[rank].computing);
       for (const Message& message : steps.ranks[rank].received) {
-        if (host_of(message.sender) != host_of(rank)) {
+        computing_.back() += 2 * network_of(message, rank).overhead;  // one received, one sent
+        if (!is_near(message, rank)) {
           hosts_[host_of(rank)].add(message.bytes);
         }
       }
@@ -48,24 +50,18 @@ class RankTimes {
   }
 
   /// What a rank computes, with the overhead of its messages, s.
-  [[nodiscard]] double computing(std::size_t rank) const {
-    double time = steps_.ranks[rank].computing;
-    for (const Message& message : steps_.ranks[rank].received) {
-      time += 2 * network(message, rank).overhead;  // one received, one sent
-    }
-    return time;
-  }
+  [[nodiscard]] double computing(std::size_t rank) const { return computing_[rank]; }
 
   /// From the sending of a message until its receiver sends its own, s.
   [[nodiscard]] double until_sent(const Message& message, std::size_t receiver) const {
     const double bytes =
         is_near(message, receiver) ? message.bytes : hosts_[host_of(receiver)].received_with(message.bytes);
-    const Network& way = network(message, receiver);
+    const Network& way = network_of(message, receiver);
     const double travelling = way.latency - 2 * way.overhead + bytes / way.bandwidth;
     const double hidden = network_.is_shared_memory ? 0.0 : std::min(travelling, steps_.ranks[receiver].inner);
     const int period = steps_.steps_per_full_wait;
     const double hiding_steps = period > 0 ? 1.0 - 1.0 / period : 1.0;  // share of all
-    return computing(receiver) + travelling - hidden * hiding_steps;
+    return computing_[receiver] + travelling - hidden * hiding_steps;
   }
 
  private:
@@ -73,13 +69,14 @@ class RankTimes {
   [[nodiscard]] bool is_near(const Message& message, std::size_t receiver) const {
     return host_of(message.sender) == host_of(receiver);
   }
-  [[nodiscard]] const Network& network(const Message& message, std::size_t receiver) const {
+  [[nodiscard]] const Network& network_of(const Message& message, std::size_t receiver) const {
     return is_near(message, receiver) ? shared_memory : network_;
   }
 
   const RankSteps& steps_;
   const Network& network_;
   std::vector<HostMessages> hosts_;
+  std::vector<double> computing_;  // [ranks] with the overhead of their messages, s
 };
 
 /// What a rank receives from another; null for nothing.
