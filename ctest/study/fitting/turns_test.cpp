@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <random>
+#include <string_view>
 
 #include "axis_symmetries.hpp"
 #include "bars.hpp"
@@ -83,7 +84,7 @@ StrainedBody free_body(const scene::Scene& scene) {
   return {scene, eigenmodes::MassMatrix::consistent};
 }
 
-const IdentifiedConstant& named(const Identification& found, const std::string& name) {
+const IdentifiedConstant& named(const Identification& found, std::string_view name) {
   return *std::ranges::find(found.constants, name, &IdentifiedConstant::name);
 }
 
