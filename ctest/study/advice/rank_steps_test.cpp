@@ -6,6 +6,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "shared_link.hpp"
+
 namespace idiophone::advice {
 namespace {
 
@@ -26,8 +28,8 @@ RankSteps chain(const std::vector<double>& computing, int steps_per_full_wait) {
 
 TEST(RankSteps, OneRankWaitsForNobody) {
   const StepTime time = step_time(chain({10e-6}, 5), network);
-  EXPECT_EQ(time.whole, 10e-6);
-  EXPECT_EQ(time.waiting, 0.0);
+  EXPECT_NEAR(time.whole, 10e-6, 1e-15);
+  EXPECT_NEAR(time.waiting, 0.0, 1e-15);
 }
 
 TEST(RankSteps, TwoRanksWaitForWhatInnerWorkDoesNotHide) {
@@ -49,6 +51,29 @@ TEST(RankSteps, RanksOfAHostShareItsMemoryAndItsBandwidth) {
   EXPECT_NEAR(step_time(chain({10e-6, 10e-6}, 0), hosts).whole, 10e-6 + near, 1e-12);
   EXPECT_NEAR(step_time(chain({10e-6, 10e-6, 10e-6, 10e-6}, 0), hosts).whole, 10e-6 + near + 2e-6 + 21e-6 - 4e-6,
               1e-12);
+}
+
+TEST(RankSteps, PairsOnTwoHostsShareTheirBandwidth) {
+  RankSteps pairs{.steps_per_full_wait = 0, .ranks = {}};
+  for (const int other : {2, 3, 0, 1}) {
+    pairs.ranks.push_back({.computing = 10e-6, .inner = 4e-6, .received = {{.sender = other, .bytes = 10000}}});
+  }
+  Network hosts = network;
+  hosts.ranks_on_host = 2;
+  EXPECT_NEAR(step_time(pairs, hosts).whole, 6e-6 + 2e-6 + 20e-6 + 20e-6, 1e-12);  // 10 us alone
+}
+
+TEST(SharedLink, AMessageGetsAllThatOthersLeave) {
+  SharedLink<char> link(1000.0);
+  link.enter(0.0, 1000.0, 'a');
+  link.enter(0.5, 1000.0, 'b');
+  EXPECT_NEAR(link.next_end(), 1.5, 1e-12);  // half of `a` is left, at half the bandwidth
+  EXPECT_EQ(link.leave(), 'a');
+  EXPECT_NEAR(link.next_end(), 2.0, 1e-12);
+  EXPECT_EQ(link.leave(), 'b');
+  EXPECT_TRUE(link.empty());
+  link.enter(3.0, 500.0, 'c');
+  EXPECT_NEAR(link.next_end(), 3.5, 1e-12);
 }
 
 }  // namespace

@@ -28,14 +28,11 @@ struct RankSteps {
 
 struct StepTime {
   double whole = 0.0;    ///< s
-  double waiting = 0.0;  ///< of it, on the rank that computes longest of those that decide it, s
+  double waiting = 0.0;  ///< of it, on the rank that computes longest, s
 };
 
-/// The mean over many steps. A rank that gets its last message late is late itself, and so are its neighbours in the
-/// next step. Let w be the time from one rank's sending to the next one's: messages, and what is computed after them. A
-/// chain of messages there and back between two ranks advances by their mean w in a step, and no chain over more ranks
-/// advances more slowly than that of its slowest pair. So a step takes the largest mean w of two neighbours, or what
-/// the busiest rank computes.
+/// The mean over steps that are played one event after another, from what each rank computes and when its messages
+/// arrive.
 [[nodiscard]] StepTime step_time(const RankSteps& steps, const Network& network);
 
 /// For programs that simulate a network: see docs/use/running.md.

@@ -1,0 +1,120 @@
+#include "step_replay.hpp"
+
+#include <algorithm>
+#include <iterator>
+
+namespace idiophone::advice {
+
+StepReplay::StepReplay(const RankSteps& steps, const Network& network)
+    : steps_(steps), network_(network), ranks_(steps.ranks.size()) {
+  const int count = static_cast<int>(std::ssize(ranks_));
+  hosts_.assign((count + network.ranks_on_host - 1) / network.ranks_on_host,
+                Host{SharedLink<Arrival>(network.bandwidth)});
+  for (int rank = 0; rank < count; ++rank) {
+    for (const Message& message : steps.ranks[rank].received) {
+      const bool is_near = message.sender / network.ranks_on_host == rank / network.ranks_on_host;
+      ranks_[rank].overhead += (is_near ? shared_memory : network).overhead;
+      ranks_.at(message.sender).sent.push_back({rank, message.bytes, is_near});
+    }
+  }
+}
+
+double StepReplay::computing(int rank) const {
+  return steps_.ranks[rank].computing + 2 * ranks_[rank].overhead;
+}
+
+std::vector<double> StepReplay::ends(int count) {
+  ends_.assign(count, 0.0);
+  for (int rank = 0; rank < std::ssize(ranks_); ++rank) {
+    ranks_[rank].step = 0;
+    start_step(rank, 0.0);
+  }
+  while (!events_.empty()) {
+    const Event event = events_.top();
+    events_.pop();
+    play(event);
+  }
+  return ends_;
+}
+
+void StepReplay::play(const Event& event) {
+  switch (event.kind) {
+    case Kind::send:
+      return send(event.index, event.time);
+    case Kind::wait:
+      ranks_[event.index].is_waiting = true;
+      return end_step_if_ready(event.index, event.time);
+    case Kind::enter: {
+      const int host = event.index / network_.ranks_on_host;
+      hosts_[host].link.enter(event.time, event.bytes, {event.index, event.step});
+      return schedule_leave(host);
+    }
+    case Kind::leave:
+      if (Host& host = hosts_[event.index]; event.step == host.changes) {  // nothing has entered or left since
+        const Arrival arrival = host.link.leave();
+        schedule_leave(event.index);
+        arrive(arrival.receiver, arrival.step, event.time);
+      }
+      return;
+    case Kind::arrive:
+      return arrive(event.index, event.step, event.time);
+  }
+}
+
+void StepReplay::start_step(int rank, double time) {
+  const RankStep& step = steps_.ranks[rank];
+  schedule(time + step.computing - step.inner + ranks_[rank].overhead, Kind::send, rank);
+}
+
+void StepReplay::send(int rank, double time) {
+  const int step = ranks_[rank].step;
+  for (const Outgoing& message : ranks_[rank].sent) {
+    const Network& way = message.is_near ? shared_memory : network_;
+    const double over_the_wire = time + way.latency - 2 * way.overhead;
+    if (message.is_near) {
+      schedule(over_the_wire + message.bytes / way.bandwidth, Kind::arrive, message.receiver, step);
+    } else {
+      schedule(over_the_wire, Kind::enter, message.receiver, step, message.bytes);
+    }
+  }
+  schedule(time + (waits_at_once(step) ? 0.0 : steps_.ranks[rank].inner), Kind::wait, rank);
+}
+
+void StepReplay::arrive(int rank, int step, double time) {
+  ++ranks_[rank].arrived[step % 2];
+  end_step_if_ready(rank, time);
+}
+
+void StepReplay::end_step_if_ready(int rank, double time) {
+  Rank& state = ranks_[rank];
+  const RankStep& work = steps_.ranks[rank];
+  int& arrived = state.arrived[state.step % 2];
+  if (!state.is_waiting || arrived < std::ssize(work.received)) {
+    return;
+  }
+  arrived = 0;
+  state.is_waiting = false;
+  const double end = time + state.overhead + (waits_at_once(state.step) ? work.inner : 0.0);
+  ends_[state.step] = std::max(ends_[state.step], end);
+  if (++state.step < std::ssize(ends_)) {
+    start_step(rank, end);
+  }
+}
+
+void StepReplay::schedule_leave(int host) {
+  const int changes = ++hosts_[host].changes;
+  if (!hosts_[host].link.empty()) {
+    schedule(hosts_[host].link.next_end(), Kind::leave, host, changes);
+  }
+}
+
+void StepReplay::schedule(double time, Kind kind, int index, int step, double bytes) {
+  events_.push({time, scheduled_++, kind, index, step, bytes});
+}
+
+bool StepReplay::waits_at_once(int step) const {
+  const int period = steps_.steps_per_full_wait;
+  return network_.is_shared_memory || (period > 0 && (step + 1) % period == 0);
+}
+
+}  // namespace idiophone::advice
