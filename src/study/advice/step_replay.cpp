@@ -5,11 +5,18 @@
 
 namespace idiophone::advice {
 
+namespace {
+
+constexpr int links_of_a_message = 2;
+
+}  // namespace
+
 StepReplay::StepReplay(const RankSteps& steps, const Network& network)
     : steps_(steps), network_(network), ranks_(steps.ranks.size()) {
   const int count = static_cast<int>(std::ssize(ranks_));
-  hosts_.assign((count + network.ranks_on_host - 1) / network.ranks_on_host,
-                Host{SharedLink<Arrival>(network.bandwidth)});
+  if (count > 0) {
+    links_.assign(link_to(count - 1) + 1, {SharedLink<Crossing>(network.bandwidth)});
+  }
   for (int rank = 0; rank < count; ++rank) {
     for (const Message& message : steps.ranks[rank].received) {
       const bool is_near = message.sender / network.ranks_on_host == rank / network.ranks_on_host;
@@ -44,20 +51,19 @@ void StepReplay::play(const Event& event) {
     case Kind::wait:
       ranks_[event.index].is_waiting = true;
       return end_step_if_ready(event.index, event.time);
-    case Kind::enter: {
-      const int host = event.index / network_.ranks_on_host;
-      hosts_[host].link.enter(event.time, event.bytes, {event.index, event.step});
-      return schedule_leave(host);
-    }
+    case Kind::enter:
+      links_[event.index].shared.enter(event.time, event.bytes, event.message);
+      return schedule_leave(event.index);
     case Kind::leave:
-      if (Host& host = hosts_[event.index]; event.step == host.changes) {  // nothing has entered or left since
-        const Arrival arrival = host.link.leave();
+      if (Link& link = links_[event.index]; event.changes == link.changes) {  // nothing has entered or left since
+        const Crossing message = link.shared.leave();
         schedule_leave(event.index);
-        arrive(arrival.receiver, arrival.step, event.time);
+        cross(message, event.time);
       }
       return;
-    case Kind::arrive:
-      return arrive(event.index, event.step, event.time);
+    case Kind::arrive:  // through the memory of the host
+      ranks_[event.message.receiver].crossed[event.message.step % 2] += links_of_a_message - 1;
+      return cross(event.message, event.time);
   }
 }
 
@@ -71,28 +77,30 @@ void StepReplay::send(int rank, double time) {
   for (const Outgoing& message : ranks_[rank].sent) {
     const Network& way = message.is_near ? shared_memory : network_;
     const double over_the_wire = time + way.latency - 2 * way.overhead;
+    const Crossing crossing{message.receiver, step};
     if (message.is_near) {
-      schedule(over_the_wire + message.bytes / way.bandwidth, Kind::arrive, message.receiver, step);
+      schedule(over_the_wire + message.bytes / way.bandwidth, Kind::arrive, 0, crossing);
     } else {
-      schedule(over_the_wire, Kind::enter, message.receiver, step, message.bytes);
+      schedule(over_the_wire, Kind::enter, link_from(rank), crossing, message.bytes);
+      schedule(over_the_wire, Kind::enter, link_to(message.receiver), crossing, message.bytes);
     }
   }
   schedule(time + (waits_at_once(step) ? 0.0 : steps_.ranks[rank].inner), Kind::wait, rank);
 }
 
-void StepReplay::arrive(int rank, int step, double time) {
-  ++ranks_[rank].arrived[step % 2];
-  end_step_if_ready(rank, time);
+void StepReplay::cross(Crossing message, double time) {
+  ++ranks_[message.receiver].crossed[message.step % 2];
+  end_step_if_ready(message.receiver, time);
 }
 
 void StepReplay::end_step_if_ready(int rank, double time) {
   Rank& state = ranks_[rank];
   const RankStep& work = steps_.ranks[rank];
-  int& arrived = state.arrived[state.step % 2];
-  if (!state.is_waiting || arrived < std::ssize(work.received)) {
+  int& crossed = state.crossed[state.step % 2];
+  if (!state.is_waiting || crossed < links_of_a_message * std::ssize(work.received)) {
     return;
   }
-  arrived = 0;
+  crossed = 0;
   state.is_waiting = false;
   const double end = time + state.overhead + (waits_at_once(state.step) ? work.inner : 0.0);
   ends_[state.step] = std::max(ends_[state.step], end);
@@ -101,15 +109,15 @@ void StepReplay::end_step_if_ready(int rank, double time) {
   }
 }
 
-void StepReplay::schedule_leave(int host) {
-  const int changes = ++hosts_[host].changes;
-  if (!hosts_[host].link.empty()) {
-    schedule(hosts_[host].link.next_end(), Kind::leave, host, changes);
+void StepReplay::schedule_leave(int link) {
+  const int changes = ++links_[link].changes;
+  if (!links_[link].shared.empty()) {
+    schedule(links_[link].shared.next_end(), Kind::leave, link, {}, 0.0, changes);
   }
 }
 
-void StepReplay::schedule(double time, Kind kind, int index, int step, double bytes) {
-  events_.push({time, scheduled_++, kind, index, step, bytes});
+void StepReplay::schedule(double time, Kind kind, int index, Crossing message, double bytes, int changes) {
+  events_.push({time, scheduled_++, kind, index, message, bytes, changes});
 }
 
 bool StepReplay::waits_at_once(int step) const {

@@ -37,41 +37,44 @@ class StepReplay {
     std::vector<Outgoing> sent;
     int step = 0;
     bool is_waiting = false;
-    std::array<int, 2> arrived{};  // messages of this step and of the next: a neighbour is at most one ahead
+    std::array<int, 2> crossed{};  // links by messages of this step and of the next: a neighbour is at most one ahead
+  };
+  struct Crossing {
+    int receiver, step;  // of the message
   };
   enum class Kind { send, wait, enter, leave, arrive };
   struct Event {
     double time;  // s
     long order;   // in which events of one time were scheduled
     Kind kind;
-    int index;     // of a rank; of a host for `leave`
-    int step;      // in which a message was sent; the changes of the host's link that `leave` knows
-    double bytes;  // of a message that enters
+    int index;  // of the rank that sends or waits, or of the link
+    Crossing message;
+    double bytes;                               // of a message that enters
+    int changes;                                // of the link, that `leave` knows
     bool operator<(const Event& other) const {  // the queue has the largest first
       return time != other.time ? time > other.time : order > other.order;
     }
   };
-  struct Arrival {
-    int receiver, step;
-  };
-  struct Host {
-    SharedLink<Arrival> link;
+  struct Link {
+    SharedLink<Crossing> shared;
     int changes = 0;
   };
 
-  void schedule(double time, Kind kind, int index, int step = 0, double bytes = 0.0);
+  void schedule(double time, Kind kind, int index, Crossing message = {}, double bytes = 0.0, int changes = 0);
   void play(const Event& event);
   void start_step(int rank, double time);
   void send(int rank, double time);
-  void arrive(int rank, int step, double time);
+  void cross(Crossing message, double time);
   void end_step_if_ready(int rank, double time);
-  void schedule_leave(int host);
+  void schedule_leave(int link);
   [[nodiscard]] bool waits_at_once(int step) const;
+  [[nodiscard]] int link_from(int rank) const { return 2 * (rank / network_.ranks_on_host); }
+  [[nodiscard]] int link_to(int rank) const { return link_from(rank) + 1; }
 
   const RankSteps& steps_;
   Network network_;
   std::vector<Rank> ranks_;
-  std::vector<Host> hosts_;
+  std::vector<Link> links_;  // from and to each host
   std::priority_queue<Event> events_;
   std::vector<double> ends_;
   long scheduled_ = 0;
