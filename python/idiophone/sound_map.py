@@ -104,7 +104,7 @@ class SoundMap:
         """
         flat = np.asarray(frequencies, float).ravel()
         at_once = 2000  # as a command line has room for
-        power = [np.zeros(0)]
+        power: list[np.ndarray] = [np.zeros(0)]
         with tempfile.TemporaryDirectory() as folder:
             table = Path(folder) / "power.csv"
             for first in range(0, len(flat), at_once):

@@ -11,7 +11,11 @@
 // A rank is an actor with a processor of its own. In each step it computes what its messages need, sends, computes the
 // inner elements or cells, and waits for the messages of its neighbours. Overheads of messages are processor time.
 
+// version.h of SimGrid 3 needs what s4u.hpp includes.
+// clang-format off
 #include <simgrid/s4u.hpp>
+#include <simgrid/version.h>
+// clang-format on
 
 #include <iostream>
 #include <stdexcept>
@@ -81,7 +85,12 @@ Steps read_steps() {
 }
 
 /// Switches in a fat tree that carries all that its hosts can send; with one level, one switch.
-sg4::FatTreeParams tree_of(const Cluster& cluster, unsigned hosts) {
+struct Tree {
+  unsigned levels;
+  std::vector<unsigned> down, up, count;  // links of each level, as SimGrid counts them
+};
+
+Tree tree_of(const Cluster& cluster, unsigned hosts) {
   if (cluster.levels == 1) {
     return {1, {hosts}, {1}, {1}};
   }
@@ -89,28 +98,69 @@ sg4::FatTreeParams tree_of(const Cluster& cluster, unsigned hosts) {
   return {2, {below, (hosts + below - 1) / below}, {1, below}, {1, 1}};
 }
 
-sg4::Link* memory_of_host(sg4::NetZone* zone, unsigned long number, const Network& network) {
-  return zone->create_link("memory" + std::to_string(number), network.bandwidth)
-      ->set_sharing_policy(sg4::Link::SharingPolicy::FATPIPE)
-      ->set_latency(network.wire())
+using Place = std::vector<unsigned long>;  // in the tree
+
+std::string host_name(unsigned long number) {
+  return "host" + std::to_string(number);
+}
+
+sg4::Link* as_memory(sg4::Link* link, const Network& network) {
+  return link->set_sharing_policy(sg4::Link::SharingPolicy::FATPIPE)->set_latency(network.wire())->seal();
+}
+
+std::string memory_name(unsigned long number) {
+  return "memory" + std::to_string(number);
+}
+
+constexpr double flops = 1e9;  // of a host; its ranks sleep while they compute
+constexpr auto both_ways = sg4::Link::SharingPolicy::SPLITDUPLEX;
+
+template <class Code>
+sg4::ActorPtr start_actor(const std::string& name, sg4::Host* host, const Code& code) {
+#if SIMGRID_VERSION >= 40000
+  return sg4::Engine::get_instance()->add_actor(name, host, code);
+#else
+  return sg4::Actor::create(name, host, code);
+#endif
+}
+
+#if SIMGRID_VERSION >= 40000  // it has a zone around all others, and other functions
+
+void build(const Tree& tree, double bandwidth, double latency, const Network& in_host) {
+  sg4::NetZone* zone = sg4::Engine::get_instance()->get_netzone_root()->add_netzone_fatTree(
+      "cluster", tree.levels, tree.down, tree.up, tree.count, bandwidth, latency, both_ways);
+  zone->set_host_cb([](sg4::NetZone* inside, const Place&, unsigned long number) {
+    return inside->add_host(host_name(number), flops);
+  });
+  zone->set_loopback_cb([&](sg4::NetZone* inside, const Place&, unsigned long number) {
+    return as_memory(inside->add_link(memory_name(number), in_host.bandwidth), in_host);
+  });
+  zone->seal();
+}
+
+#else
+
+void build(const Tree& tree, double bandwidth, double latency, const Network& in_host) {
+  const sg4::ClusterCallbacks callbacks(
+      [](sg4::NetZone* zone, const Place&, unsigned long number) {
+        return std::make_pair(zone->create_host(host_name(number), flops)->seal()->get_netpoint(),
+                              static_cast<simgrid::kernel::routing::NetPoint*>(nullptr));
+      },
+      [&](sg4::NetZone* zone, const Place&, unsigned long number) {
+        return as_memory(zone->create_link(memory_name(number), in_host.bandwidth), in_host);
+      },
+      {});
+  sg4::create_fatTree_zone("cluster", nullptr, {tree.levels, tree.down, tree.up, tree.count}, callbacks, bandwidth,
+                           latency, both_ways)
       ->seal();
 }
 
+#endif
+
 /// Each message crosses two links for each level.
 void build(const Cluster& cluster, unsigned hosts) {
-  const sg4::ClusterCallbacks callbacks(
-      [](sg4::NetZone* zone, const std::vector<unsigned long>&, unsigned long number) {
-        return std::make_pair(zone->create_host("host" + std::to_string(number), 1e9)->seal()->get_netpoint(),
-                              static_cast<simgrid::kernel::routing::NetPoint*>(nullptr));
-      },
-      [&](sg4::NetZone* zone, const std::vector<unsigned long>&, unsigned long number) {
-        return memory_of_host(zone, number, cluster.in_host);
-      },
-      {});
   const Network& network = cluster.between_hosts;
-  sg4::create_fatTree_zone("cluster", nullptr, tree_of(cluster, hosts), callbacks, network.bandwidth,
-                           network.wire() / (2 * cluster.levels), sg4::Link::SharingPolicy::SPLITDUPLEX)
-      ->seal();
+  build(tree_of(cluster, hosts), network.bandwidth, network.wire() / (2 * cluster.levels), cluster.in_host);
 }
 
 sg4::Mailbox* mailbox(int sender, int receiver) {
@@ -173,7 +223,7 @@ void start(const Cluster& cluster, const Steps& steps) {
   for (std::size_t number = 0; number < steps.ranks.size(); ++number) {
     const Actor actor(cluster, steps, static_cast<int>(number));
     sg4::Host* host = sg4::Host::by_name("host" + std::to_string(number / cluster.ranks_on_host));
-    const sg4::ActorPtr started = sg4::Actor::create("rank" + std::to_string(number), host, actor);
+    const sg4::ActorPtr started = start_actor("rank" + std::to_string(number), host, actor);
     for (sg4::Mailbox* box : actor.incoming()) {
       box->set_receiver(started);  // messages leave when they are sent, though the rank does not wait for them yet
     }
