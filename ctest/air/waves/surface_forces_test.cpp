@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "idiophone/air/waves/surface_coupling.hpp"
 #include "ranks.hpp"
 #include "ringing.hpp"
 
@@ -25,7 +26,7 @@ class Pulsed {
         field_(Division(plan_.grid, 1), plan_.courant, MPI_COMM_SELF) {
     const Obstruction obstruction{solid.triangles, positions_};
     CutCells cells(field_.subdomain(), obstruction, plan_.courant);
-    sources_ = SurfaceSources(field_.subdomain(), obstruction, shape_.size(), cells, plan_.courant);
+    coupling_ = SurfaceCoupling(field_.subdomain(), obstruction, shape_.size(), cells, plan_.courant);
     of_nodes_.resize(cells.nodes().size());
     field_.set_surfaces(std::move(cells));
   }
@@ -35,15 +36,17 @@ class Pulsed {
     field_.forecast(of_nodes_);
     const double change = impedance * (pulse(time_ + step() / 2.0) - pulse(time_ - step() / 2.0));
     double force = 0.0;
-    for (const ForceShare& share : sources_.forces(of_nodes_)) {
+    for (const ForceShare& share : coupling_.forces(of_nodes_)) {
       const double here = shape_[share.triangle];
-      force += here * (share.force + share.resistance * change * here);
+      for (std::size_t k = 0; k < 3; ++k) {
+        force += here * (share.force.at(k) + share.resistance.at(k) * change * here);
+      }
     }
     std::vector<float> changes;
     for (const float here : shape_) {
-      changes.push_back(static_cast<float>(change * here));
+      changes.insert(changes.end(), 3, static_cast<float>(change * here));
     }
-    sources_.add(changes, of_nodes_);
+    coupling_.add(changes, of_nodes_);
     field_.step(of_nodes_);
     time_ += step();
     return force;
@@ -72,7 +75,7 @@ class Pulsed {
   std::vector<float> positions_, shape_;
   Plan plan_;
   WaveField field_;
-  SurfaceSources sources_;
+  SurfaceCoupling coupling_;
   std::vector<float> of_nodes_;
   double time_ = 0.0;
 };

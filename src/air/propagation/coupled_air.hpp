@@ -60,7 +60,7 @@ class CoupledAir : public Air, public propagation::AirLoad {
   MPI_Comm communicator_;
   WaveGrid grid_;
   std::optional<SurfaceExchange> exchange_;
-  std::vector<double> velocity_changes_;  // [triangles of all ranks] m/s
+  std::vector<double> velocity_changes_;  // [triangles of all ranks x 3 corners] m/s
   std::vector<float> pressure_changes_;   // rho c times these, Pa
   int step_ = 0;                          // of the audio sample
   std::string problem_;

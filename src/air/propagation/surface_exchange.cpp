@@ -1,6 +1,7 @@
 #include "surface_exchange.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 #include <tuple>
 
@@ -54,6 +55,10 @@ void for_common(std::span<const Index> triangles, const std::vector<waves::Force
   }
 }
 
+void add(const std::array<double, 3>& values, std::span<double, 3> sums) {
+  std::ranges::transform(sums, values, sums.begin(), std::plus<>());
+}
+
 /// The sum of each triangle's shares in each plane of the grid, upwards.
 /// @param shares  in their order
 std::vector<waves::ForceShare> sums_of_planes(const std::vector<waves::ForceShare>& shares) {
@@ -62,8 +67,8 @@ std::vector<waves::ForceShare> sums_of_planes(const std::vector<waves::ForceShar
     if (sums.empty() || sums.back().triangle != share.triangle || sums.back().cell[2] != share.cell[2]) {
       sums.push_back(share);
     } else {
-      sums.back().force += share.force;
-      sums.back().resistance += share.resistance;
+      add(share.force, sums.back().force);
+      add(share.resistance, sums.back().resistance);
     }
   }
   return sums;
@@ -104,7 +109,7 @@ void SurfaceExchange::send_velocities(std::span<const double> own, std::span<dou
     const std::vector<double> velocities = messages.receive<double>(rank, velocity_tag);
     const std::span<const Index> triangles = triangles_of(rank);
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-      all[triangles[i]] = velocities[i];
+      std::copy_n(&velocities[3 * i], 3, &all[3UL * triangles[i]]);
     }
   }
 }
@@ -122,8 +127,8 @@ void SurfaceExchange::return_forces(const std::vector<waves::ForceShare>& shares
   std::ranges::fill(resistance, 0.0);
   for_common(triangles_of(parallel::rank_of(communicator_)), sums_of_planes(receive_shares(messages)),
              [&](std::size_t place, const waves::ForceShare& share) {
-               force[place] += share.force;
-               resistance[place] += share.resistance;
+               add(share.force, force.subspan(3 * place).first<3>());
+               add(share.resistance, resistance.subspan(3 * place).first<3>());
              });
 }
 

@@ -8,7 +8,7 @@
 
 #include "idiophone/air/waves/division.hpp"
 #include "idiophone/air/waves/obstruction.hpp"
-#include "idiophone/air/waves/surface_sources.hpp"
+#include "idiophone/air/waves/surface_coupling.hpp"
 #include "idiophone/foundation/parallel/gather.hpp"
 #include "idiophone/foundation/parallel/messages.hpp"
 #include "idiophone/foundation/types.hpp"
@@ -31,13 +31,13 @@ class SurfaceExchange {
   /// @param obstruction  on every rank the same
   void find_near(const waves::Obstruction& obstruction, const waves::Division& division);
 
-  /// @param own  [triangles]
-  /// @param all  [triangles of all ranks] those that are near this rank's cells are overwritten
+  /// @param own  [triangles x 3 corners]
+  /// @param all  [triangles of all ranks x 3 corners] those that are near this rank's cells are overwritten
   void send_velocities(std::span<const double> own, std::span<double> all) const;
 
   /// Adds up the shares of the ranks in the order of their cells: the sums do not depend on who has which cells.
   /// @param shares              of this rank's cells
-  /// @param force, resistance   [triangles] overwritten; in the units of the shares
+  /// @param force, resistance   [triangles x 3 corners] overwritten; in the units of the shares
   void return_forces(const std::vector<waves::ForceShare>& shares, std::span<double> force,
                      std::span<double> resistance) const;
 

@@ -34,6 +34,7 @@ WaveGrid::WaveGrid(const scene::Acoustics& acoustics, const propagation::Audible
       plan_(wave_plan(acoustics, surface, communicator)),
       triangles_(all_triangles(surface, communicator)),
       moving_(triangles_.size()),
+      feels_air_(acoustics.radiation.grid.back),
       shared_positions_(surface.vertex_ids, communicator),
       division_(plan_.grid, parallel::size_of(communicator)),
       field_(division_, plan_.courant, communicator, lossy_air(acoustics.radiation), accelerator),
@@ -106,19 +107,23 @@ void WaveGrid::require_within_reach(std::span<const float> positions) {
 
 void WaveGrid::set_surfaces() {
   waves::CutCells cut_cells(field_.subdomain(), obstruction(), plan_.courant, field_.is_lossy());
-  sources_ = waves::SurfaceSources(field_.subdomain(), obstruction(), moving_, cut_cells, plan_.courant);
+  if (feels_air_) {
+    coupling_ = waves::SurfaceCoupling(field_.subdomain(), obstruction(), moving_, cut_cells, plan_.courant);
+  } else {
+    sources_ = waves::SurfaceSources(field_.subdomain(), obstruction(), moving_, cut_cells, plan_.courant);
+  }
   of_nodes_.resize(cut_cells.nodes().size());
   field_.set_surfaces(std::move(cut_cells));
 }
 
 void WaveGrid::step(std::span<const float> changes) {
-  sources_.add(changes, of_nodes_);
+  coupling_.add(changes, of_nodes_);
   field_.step(of_nodes_);
 }
 
 const std::vector<waves::ForceShare>& WaveGrid::forces() {
   field_.forecast(of_nodes_);
-  return sources_.forces(of_nodes_);
+  return coupling_.forces(of_nodes_);
 }
 
 void WaveGrid::archive(parallel::Archive& archive) {

@@ -12,6 +12,7 @@
 #include "idiophone/air/surface/surface_motion.hpp"
 #include "idiophone/air/waves/enclosing_box.hpp"
 #include "idiophone/air/waves/plan.hpp"
+#include "idiophone/air/waves/surface_coupling.hpp"
 #include "idiophone/air/waves/surface_sources.hpp"
 #include "idiophone/air/waves/velocity_history.hpp"
 #include "idiophone/air/waves/wave_field.hpp"
@@ -54,10 +55,11 @@ class WaveGrid {
   /// @param velocities  [moving()] as for waves::WaveField
   /// @param step        of the audio sample
   void step(const waves::VelocityHistory& velocities, int step) { field_.step(sources_, velocities, step); }
-  /// @param changes  [moving()] of rho c v_n, Pa
+  /// Of surfaces that feel the air.
+  /// @param changes  [moving() x 3 corners] of rho c v_n, Pa
   void step(std::span<const float> changes);
 
-  /// Of the grid's present pressures, half a step ahead: see waves::SurfaceSources::forces.
+  /// Of the grid's present pressures, half a step ahead: see waves::SurfaceCoupling::forces.
   [[nodiscard]] const std::vector<waves::ForceShare>& forces();
 
   /// This rank's patches of the box around the bodies.
@@ -79,6 +81,7 @@ class WaveGrid {
   waves::Plan plan_;
   std::vector<std::array<Index, 3>> triangles_;  // of the bodies, then of the obstacles
   std::size_t moving_;
+  bool feels_air_;                // the bodies
   std::vector<float> positions_;  // of their vertices, as the grid has them, m
   std::vector<float> arrived_;    // of the bodies' vertices, m
   SharedPositions shared_positions_;
@@ -86,8 +89,9 @@ class WaveGrid {
   bool failed_ = false;  // on all ranks alike
   waves::Division division_;
   waves::WaveField field_;
-  waves::SurfaceSources sources_;
-  std::vector<float> of_nodes_;  // what the surfaces add to them, or their pressures
+  waves::SurfaceSources sources_;    // if they do not feel the air
+  waves::SurfaceCoupling coupling_;  // if they do
+  std::vector<float> of_nodes_;      // what the surfaces add to them, or their pressures
   waves::EnclosingBox box_;
   parallel::Rows patch_rows_;
 };

@@ -3,6 +3,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -14,9 +15,10 @@ namespace idiophone::waves {
 
 /// A part of a triangle.
 struct SurfacePiece {
-  Vector3 centre;     ///< from the grid's corner, in cells
-  Vector3 normal;     ///< unit vector into the air
-  double area = 0.0;  ///< m2
+  Vector3 centre;                   ///< from the grid's corner, in cells
+  std::array<double, 3> weights{};  ///< of the triangle's corners in the centre; they add up to 1
+  Vector3 normal;                   ///< unit vector into the air
+  double area = 0.0;                ///< m2
 };
 
 /// The node in front of a piece; -1 for none.
@@ -43,10 +45,12 @@ void for_each_piece(const Subdomain& subdomain, const Obstruction& obstruction, 
   const double longest = std::sqrt(std::max({(b - a).squaredNorm(), (c - b).squaredNorm(), (a - c).squaredNorm()}));
   const int n = std::max(1, static_cast<int>(std::ceil(longest / piece_length)));
   SurfacePiece piece{.centre = a,
+                     .weights = {},
                      .normal = twice_area.normalized(),
                      .area = 0.5 * twice_area.norm() * grid.cell * grid.cell / (n * n)};
   const auto visit_at = [&](double u, double v) {
     piece.centre = a + u / n * (b - a) + v / n * (c - a);
+    piece.weights = {1.0 - (u + v) / n, u / n, v / n};
     visit(std::as_const(piece));
   };
   for (int i = 0; i < n; ++i) {

@@ -8,7 +8,7 @@
 
 #include "idiophone/air/surface/sampling.hpp"
 #include "idiophone/air/waves/plan.hpp"
-#include "idiophone/air/waves/surface_sources.hpp"
+#include "idiophone/air/waves/surface_coupling.hpp"
 
 namespace idiophone::bodies {
 

@@ -25,11 +25,15 @@ class AirLoad {
   /// @param triangles  global numbers, ascending; several ranks may need the same
   virtual void connect(const std::vector<Index>& triangles) = 0;
 
-  /// One step, in which surfaces moved with given mean velocities. Waits for ranks whose surfaces are near.
-  /// @param changes     [connected triangles] of the mean normal velocity since the step before, outwards, m/s
-  /// @param force       [connected triangles] N, overwritten: the mean force in the next step if velocities stay as
-  ///                    they are; it acts inwards
-  /// @param resistance  [connected triangles] N s/m, overwritten: by how much the force grows with the velocity
+  /// One step, in which surfaces moved with given mean velocities, linear on each triangle. Waits for ranks whose
+  /// surfaces are near.
+  /// @param changes     [connected triangles x 3 corners] of the normal velocity at the corner since the step before,
+  ///                    outwards, m/s
+  /// @param force       [connected triangles x 3 corners] N, overwritten: the integral of the pressure times the
+  ///                    corner's linear shape function, mean over the next step if velocities stay as they are; it acts
+  ///                    inwards
+  /// @param resistance  [connected triangles x 3 corners] N s/m, overwritten: by how much the force grows with the
+  ///                    corner's velocity
   virtual void advance(std::span<const double> changes, std::span<double> force, std::span<double> resistance) = 0;
 };
 

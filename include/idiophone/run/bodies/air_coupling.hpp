@@ -3,7 +3,6 @@
 
 #include <mpi.h>
 
-#include <array>
 #include <vector>
 
 #include "idiophone/air/propagation/air_load.hpp"
@@ -35,20 +34,12 @@ class AirCoupling {
   void archive(parallel::Archive& archive);
 
  private:
-  /// Triangles that have a corner on this rank.
-  struct Triangles {
-    std::vector<Index> numbers;                 ///< global, ascending
-    std::vector<std::array<Index, 3>> corners;  ///< local nodes
-  };
-  static Triangles touched_triangles(const mesh::Part& part, MPI_Comm communicator);
-
   motion::Motion& motion_;
   propagation::AirLoad& air_;
   int interval_;  // steps of the motion in one of the air
-  Triangles triangles_;
-  parallel::Rows rows_;  // of the archive
   motion::SurfaceLoad load_;
-  std::vector<double> changes_;  // m/s
+  parallel::Rows rows_;          // of the archive
+  std::vector<double> changes_;  // [triangles x 3 corners] m/s
 };
 
 }  // namespace idiophone::bodies

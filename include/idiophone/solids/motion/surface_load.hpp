@@ -1,29 +1,31 @@
 #pragma once
 // The force of the air on the surface. It is known once in an interval of several steps.
 
-#include <array>
 #include <span>
 #include <vector>
 
 #include "idiophone/foundation/parallel/archive.hpp"
 #include "idiophone/foundation/types.hpp"
+#include "idiophone/solids/motion/loaded_triangles.hpp"
 #include "idiophone/solids/solid/node_state.hpp"
 
 namespace idiophone::motion {
 
-/// With the mean normal velocity V of a triangle in the last interval and v now, the force of the air on it is
-/// force + resistance (v - V), inwards, in equal parts at its corners. In the step where an interval begins, the mean
-/// of this and of what acted before it acts: then the work in an interval is that of its force along the way of the
-/// surface. A node gets the same force on any number of ranks.
+/// The normal velocity is linear on each triangle, with values at its corners. With V the mean of one of them in the
+/// last interval and v now, the force of the air that works on it is force + resistance (v - V), inwards. The nodes of
+/// the element's face get the force by the matrix that gives v of their velocities, transposed. In the step where an
+/// interval begins, the mean of this and of what acted before it acts: then the work in an interval is that of its
+/// force along the way of the surface. A node gets the same force on any number of ranks.
 class SurfaceLoad {
  public:
-  /// @param triangles  in ascending global order, all that have a corner which this rank owns: local nodes, in the
-  ///                   order that makes normals point outwards
+  /// @param triangles  as loaded_triangles()
   /// @param reference  [local nodes] m; must outlive this object
   /// @param interval   s
-  SurfaceLoad(std::vector<std::array<Index, 3>> triangles, std::span<const Vector3> reference, double interval);
+  SurfaceLoad(LoadedTriangles triangles, std::span<const Vector3> reference, double interval);
 
-  /// Corners of the triangles, local numbers, ascending: the nodes that are read here, and that feel a force.
+  /// Global numbers, ascending.
+  [[nodiscard]] const std::vector<Index>& triangles() const { return numbers_; }
+  /// Of the triangles' faces, local numbers, ascending: the nodes that are read here, and that feel a force.
   [[nodiscard]] std::span<const Index> nodes() const { return nodes_; }
 
   /// Begins, with the velocities of now as those of the last interval, and without a force.
@@ -31,11 +33,12 @@ class SurfaceLoad {
   void start(std::span<const solid::NodeState> state);
 
   /// Ends an interval.
-  /// @param changes  [triangles] of the mean normal velocity since the interval before, m/s: the volume that a triangle
-  ///                 swept is exact
+  /// @param changes  [triangles x 3 corners] of the mean normal velocity since the interval before, m/s: the volume
+  /// that
+  ///                 a triangle swept is exact
   void end_interval(std::span<const solid::NodeState> state, std::span<double> changes);
 
-  /// To be filled between the end of an interval and the beginning of the next, [triangles], N.
+  /// To be filled between the end of an interval and the beginning of the next, [triangles x 3 corners], N.
   [[nodiscard]] std::span<double> force() { return force_; }
   /// Likewise, N s/m.
   [[nodiscard]] std::span<double> resistance() { return resistance_; }
@@ -55,19 +58,21 @@ class SurfaceLoad {
   void archive(parallel::Archive& archive, const parallel::Rows& triangles, std::span<const solid::NodeState> state);
 
  private:
-  /// On a triangle, inwards: constant + resistance v.
+  /// On the value at a corner, inwards: constant + resistance v.
   struct LinearForce {
     double constant = 0.0;    ///< N
     double resistance = 0.0;  ///< N s/m
   };
   void find_geometry(std::span<const solid::NodeState> state);
 
-  std::vector<std::array<Index, 3>> triangles_;
+  std::vector<Index> numbers_;
+  std::vector<LoadedTriangle> triangles_;
   std::vector<Index> nodes_;
   std::span<const Vector3> reference_;
   double interval_;
-  std::vector<Vector3> normal_;    // outwards, at the beginning of the interval
-  std::vector<double> displaced_;  // along it: the mean of the corners then, m
+  std::vector<Vector3> normal_;  // outwards, at the beginning of the interval
+  // [triangles x 3 corners]
+  std::vector<double> displaced_;  // along the normal then, m
   std::vector<double> velocity_;   // V, m/s
   std::vector<double> force_, resistance_;
   std::vector<LinearForce> whole_, now_;  // in this interval, and in this step
