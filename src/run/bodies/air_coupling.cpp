@@ -1,16 +1,31 @@
 #include "idiophone/run/bodies/air_coupling.hpp"
 
+#include "steps.hpp"
+
 namespace idiophone::bodies {
+
+namespace {
+
+std::vector<bool> moving_bodies(const Preparation& ready) {
+  std::vector<bool> moving;
+  for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
+    moving.push_back(!is_held_everywhere(ready, b));
+  }
+  return moving;
+}
+
+}  // namespace
 
 AirCoupling::AirCoupling(const Preparation& ready, motion::Motion& motion, propagation::AirLoad& air,
                          MPI_Comm communicator)
     : motion_(motion),
       air_(air),
       interval_(ready.steps_per_sample / air.steps()),
-      load_(motion::loaded_triangles(ready.part, communicator), ready.part.reference, interval_ * ready.step()),
-      rows_(load_.triangles(), ready.part.global_triangles, communicator),
-      changes_(3 * load_.triangles().size()) {
-  air.connect(load_.triangles());
+      load_(motion::loaded_triangles(ready.part, moving_bodies(ready), communicator), ready.part.reference,
+            interval_ * ready.step()),
+      rows_(load_.triangles().places, load_.triangles().all, communicator),
+      changes_(3 * load_.triangles().numbers.size()) {
+  air.connect(load_.triangles().numbers);
   motion.add_load(load_);
 }
 

@@ -106,7 +106,7 @@ void report(const Preparation& ready) {
       report_modes(basis->second);
       continue;
     }
-    if (!limit.is_limited()) {
+    if (is_held_everywhere(ready, b)) {
       spdlog::info("  held everywhere: it keeps its shape and does not limit the step");
       continue;
     }

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "idiophone/air/surface/sampling.hpp"
@@ -19,8 +20,18 @@ constexpr int least_steps_in_one_of_air = 4;
 
 }  // namespace
 
+bool is_held_everywhere(const Preparation& ready, std::size_t body) {
+  return !ready.modal_bases.contains(body) && !ready.initial_state.steps[body].is_limited();
+}
+
 double lightest_surface(const Preparation& ready) {
-  return std::ranges::min(ready.initial_state.surface_densities);
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
+    if (!is_held_everywhere(ready, b)) {
+      least = std::min(least, ready.initial_state.surface_densities[b]);
+    }
+  }
+  return least;
 }
 
 double stable_step_in_air(const Preparation& ready) {

@@ -8,7 +8,10 @@
 
 namespace idiophone::bodies {
 
-/// Least mass of the bodies' surface nodes over their areas, kg/m2.
+/// Whether nothing of a body can move.
+[[nodiscard]] bool is_held_everywhere(const Preparation& ready, std::size_t body);
+
+/// Least mass of the surface nodes over their areas, of bodies that move, kg/m2; infinity where none does.
 [[nodiscard]] double lightest_surface(const Preparation& ready);
 
 /// The largest stable step of bodies that feel the resistance of the air, s: dt/stable + r dt/(2 m) <= 1 suffices for

@@ -18,6 +18,7 @@ struct GlobalTriangle {
   Index number;
   mesh::Triangle corners;
   mesh::Triangle key;  ///< the same corners, the smallest first
+  Index place = 0;     ///< among all, by number
 };
 
 mesh::Triangle smallest_first(mesh::Triangle triangle) {
@@ -26,15 +27,22 @@ mesh::Triangle smallest_first(mesh::Triangle triangle) {
 }
 
 /// Of all ranks, by key. Collective.
-std::vector<GlobalTriangle> all_triangles(const mesh::Part& part, MPI_Comm communicator) {
+std::vector<GlobalTriangle> all_triangles(const mesh::Part& part, const std::vector<bool>& moving,
+                                          MPI_Comm communicator) {
   std::vector<GlobalTriangle> own;
   for (std::size_t t = 0; t < part.surface.size(); ++t) {
-    mesh::Triangle corners;
-    std::ranges::transform(part.surface[t], corners.begin(),
-                           [&](Index vertex) { return part.node_ids[part.vertices[vertex]]; });
-    own.push_back({.number = part.triangle_ids[t], .corners = corners, .key = smallest_first(corners)});
+    if (moving[part.triangle_body[t]]) {
+      mesh::Triangle corners;
+      std::ranges::transform(part.surface[t], corners.begin(),
+                             [&](Index vertex) { return part.node_ids[part.vertices[vertex]]; });
+      own.push_back({.number = part.triangle_ids[t], .corners = corners, .key = smallest_first(corners)});
+    }
   }
   std::vector<GlobalTriangle> all = parallel::gather_all(std::span<const GlobalTriangle>(own), communicator).values;
+  std::ranges::sort(all, {}, &GlobalTriangle::number);
+  for (std::size_t place = 0; place < all.size(); ++place) {
+    all[place].place = static_cast<Index>(place);
+  }
   std::ranges::sort(all, {}, &GlobalTriangle::key);
   return all;
 }
@@ -55,8 +63,8 @@ std::vector<bool> find_surface_nodes(const mesh::Part& part, const std::vector<G
 
 class Finder {
  public:
-  Finder(const mesh::Part& part, MPI_Comm communicator)
-      : part_(part), all_(all_triangles(part, communicator)), is_on_surface_(find_surface_nodes(part, all_)) {}
+  Finder(const mesh::Part& part, const std::vector<bool>& moving, MPI_Comm communicator)
+      : part_(part), all_(all_triangles(part, moving, communicator)), is_on_surface_(find_surface_nodes(part, all_)) {}
 
   void add_element(const mesh::BodyPart& body, std::span<const Index> nodes) {
     const element::ReferenceElement& reference = element::reference(body.element);
@@ -74,8 +82,10 @@ class Finder {
   [[nodiscard]] LoadedTriangles found() {
     std::ranges::sort(found_, {}, &Found::number);
     LoadedTriangles result;
+    result.all = static_cast<Index>(all_.size());
     for (Found& found : found_) {
       result.numbers.push_back(found.number);
+      result.places.push_back(found.place);
       result.triangles.push_back(std::move(found.triangle));
     }
     return result;
@@ -83,7 +93,7 @@ class Finder {
 
  private:
   struct Found {
-    Index number;
+    Index number, place;
     LoadedTriangle triangle;
   };
 
@@ -102,7 +112,7 @@ class Finder {
     LoadedTriangle loaded{.corners = {}, .nodes = {}, .shapes = shapes(reference, face, corners)};
     std::ranges::transform(corners, loaded.corners.begin(), [&](int place) { return nodes[place]; });
     std::ranges::transform(face.nodes, std::back_inserter(loaded.nodes), [&](int place) { return nodes[place]; });
-    found_.push_back({triangle->number, std::move(loaded)});
+    found_.push_back({triangle->number, triangle->place, std::move(loaded)});
   }
 
   /// All elements of a type share them.
@@ -125,8 +135,8 @@ class Finder {
 
 }  // namespace
 
-LoadedTriangles loaded_triangles(const mesh::Part& part, MPI_Comm communicator) {
-  Finder finder(part, communicator);
+LoadedTriangles loaded_triangles(const mesh::Part& part, const std::vector<bool>& moving, MPI_Comm communicator) {
+  Finder finder(part, moving, communicator);
   for (const mesh::BodyPart& body : part.bodies) {
     for (std::size_t place = 0; place < body.element_ids.size(); ++place) {
       finder.add_element(body, body.element_nodes(place));

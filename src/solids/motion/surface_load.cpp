@@ -46,32 +46,31 @@ std::vector<Index> nodes_of(const std::vector<LoadedTriangle>& triangles) {
 }  // namespace
 
 SurfaceLoad::SurfaceLoad(LoadedTriangles triangles, std::span<const Vector3> reference, double interval)
-    : numbers_(std::move(triangles.numbers)),
-      triangles_(std::move(triangles.triangles)),
-      nodes_(nodes_of(triangles_)),
+    : triangles_(std::move(triangles)),
+      nodes_(nodes_of(loaded())),
       reference_(reference),
       interval_(interval),
-      normal_(triangles_.size()),
-      displaced_(3 * triangles_.size()),
-      velocity_(3 * triangles_.size()),
-      force_(3 * triangles_.size()),
-      resistance_(3 * triangles_.size()),
-      whole_(3 * triangles_.size()),
-      now_(3 * triangles_.size()) {}
+      normal_(loaded().size()),
+      displaced_(3 * loaded().size()),
+      velocity_(3 * loaded().size()),
+      force_(3 * loaded().size()),
+      resistance_(3 * loaded().size()),
+      whole_(3 * loaded().size()),
+      now_(3 * loaded().size()) {}
 
 void SurfaceLoad::start(std::span<const solid::NodeState> state) {
   find_geometry(state);
-  for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    std::ranges::copy(at_corners(triangles_[t], normal_[t], state, velocity), &velocity_[3 * t]);
+  for (std::size_t t = 0; t < loaded().size(); ++t) {
+    std::ranges::copy(at_corners(loaded()[t], normal_[t], state, velocity), &velocity_[3 * t]);
   }
 }
 
 void SurfaceLoad::find_geometry(std::span<const solid::NodeState> state) {
   const auto place = [&](Index node) -> Vector3 { return reference_[node] + displacement(state[node]); };
-  for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    const auto& [a, b, c] = triangles_[t].corners;
+  for (std::size_t t = 0; t < loaded().size(); ++t) {
+    const auto& [a, b, c] = loaded()[t].corners;
     normal_[t] = (place(b) - place(a)).cross(place(c) - place(a)).normalized();
-    std::ranges::copy(at_corners(triangles_[t], normal_[t], state, displacement), &displaced_[3 * t]);
+    std::ranges::copy(at_corners(loaded()[t], normal_[t], state, displacement), &displaced_[3 * t]);
   }
 }
 
@@ -85,8 +84,8 @@ void SurfaceLoad::begin_interval(std::span<const solid::NodeState> state) {
 }
 
 void SurfaceLoad::end_interval(std::span<const solid::NodeState> state, std::span<double> changes) {
-  for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    const std::array<double, 3> displaced = at_corners(triangles_[t], normal_[t], state, displacement);
+  for (std::size_t t = 0; t < loaded().size(); ++t) {
+    const std::array<double, 3> displaced = at_corners(loaded()[t], normal_[t], state, displacement);
     for (std::size_t i = 3 * t; i < 3 * t + 3; ++i) {
       const double velocity = (displaced.at(i - 3 * t) - displaced_[i]) / interval_;
       changes[i] = velocity - velocity_[i];
@@ -96,14 +95,14 @@ void SurfaceLoad::end_interval(std::span<const solid::NodeState> state, std::spa
 }
 
 void SurfaceLoad::add(std::span<const solid::NodeState> state, std::span<solid::NodeForce> force) const {
-  for (std::size_t t = 0; t < triangles_.size(); ++t) {
-    std::array<double, 3> pushes = at_corners(triangles_[t], normal_[t], state, velocity);
+  for (std::size_t t = 0; t < loaded().size(); ++t) {
+    std::array<double, 3> pushes = at_corners(loaded()[t], normal_[t], state, velocity);
     for (std::size_t k = 0; k < 3; ++k) {
       const LinearForce& now = now_[3 * t + k];
       pushes.at(k) = now.constant + now.resistance * pushes.at(k);
     }
-    const double* shapes = triangles_[t].shapes->data();
-    for (const Index node : triangles_[t].nodes) {
+    const double* shapes = loaded()[t].shapes->data();
+    for (const Index node : loaded()[t].nodes) {
       const double push = shapes[0] * pushes[0] + shapes[1] * pushes[1] + shapes[2] * pushes[2];
       shapes += 3;
       for (int i = 0; i < 3; ++i) {

@@ -21,10 +21,14 @@ struct LoadedTriangle {
 
 struct LoadedTriangles {
   std::vector<Index> numbers;             ///< global, ascending
+  std::vector<Index> places;              ///< [numbers] among those of all ranks, ascending likewise
+  Index all = 0;                          ///< of all ranks, each counted once
   std::vector<LoadedTriangle> triangles;  ///< [numbers]
 };
 
 /// The triangles of all faces that have a node which this rank owns. Collective.
-[[nodiscard]] LoadedTriangles loaded_triangles(const mesh::Part& part, MPI_Comm communicator);
+/// @param moving  [bodies] which are wanted; a body that is held everywhere feels nothing
+[[nodiscard]] LoadedTriangles loaded_triangles(const mesh::Part& part, const std::vector<bool>& moving,
+                                               MPI_Comm communicator);
 
 }  // namespace idiophone::motion

@@ -23,8 +23,7 @@ class SurfaceLoad {
   /// @param interval   s
   SurfaceLoad(LoadedTriangles triangles, std::span<const Vector3> reference, double interval);
 
-  /// Global numbers, ascending.
-  [[nodiscard]] const std::vector<Index>& triangles() const { return numbers_; }
+  [[nodiscard]] const LoadedTriangles& triangles() const { return triangles_; }
   /// Of the triangles' faces, local numbers, ascending: the nodes that are read here, and that feel a force.
   [[nodiscard]] std::span<const Index> nodes() const { return nodes_; }
 
@@ -63,10 +62,10 @@ class SurfaceLoad {
     double constant = 0.0;    ///< N
     double resistance = 0.0;  ///< N s/m
   };
+  [[nodiscard]] const std::vector<LoadedTriangle>& loaded() const { return triangles_.triangles; }
   void find_geometry(std::span<const solid::NodeState> state);
 
-  std::vector<Index> numbers_;
-  std::vector<LoadedTriangle> triangles_;
+  LoadedTriangles triangles_;
   std::vector<Index> nodes_;
   std::span<const Vector3> reference_;
   double interval_;
