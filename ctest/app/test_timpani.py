@@ -12,9 +12,9 @@ import numpy
 import program
 
 DECK = program.SOURCE / "inputs/tension/timpani.yaml"
-# An ideal membrane on a cylinder of the same volume.
-CYLINDER = ("materials.film={young: 1e8, poisson: 0.38, density: 1396.3}",
-            "bodies.kettle.parameters={radius: 0.328, straight: 0.414219, bowl: 0}")
+# An ideal membrane on a cylinder of the same volume, whose wall reaches under the rim.
+CYLINDER = ("materials.film={young: 1e8, poisson: 0.38, density: 1396.3}", "bodies.head.parameters.radius=0.328",
+            "bodies.kettle.parameters={radius: 0.327, straight: 0.41676, bowl: 0}")
 REFERENCE = {"01": (128.78, 30.37), "11": (152.02, 3.45), "21": (228.53, 1.22), "02": (254.01, 21.67), "31": (300.79, 0.33),
              "12": (351.97, 19.43), "41": (371.12, 0.08)}  # Hz, decay rate of the amplitude in 1/s
 PUBLISHED = {"01": 127, "11": 150, "21": 227, "02": 252, "31": 298, "41": 366}  # Hz
@@ -45,12 +45,12 @@ class Timpani(program.TestCase):
     def test_the_kettle_keeps_its_air(self):
         partials = self.partials(*CYLINDER, "time.duration=0.1", "radiation.cell=0.03", "bodies.head.parameters.around=6",
                                  "bodies.head.model.up_to=400")
-        for name in ("01", "11", "21"):
-            self.assertLess(abs(cents(self.mode(partials, name)[0], REFERENCE[name][0])), 60, name)
+        for name in ("01", "11", "21", "31"):
+            self.assertLess(abs(cents(self.mode(partials, name)[0], REFERENCE[name][0])), 14, name)
 
     @program.long_verification
     def test_the_modes_are_those_of_head_and_air(self):
-        partials = self.partials(*CYLINDER, "time.duration=0.3", "bodies.head.parameters.around=20")
+        partials = self.partials(*CYLINDER, "time.duration=0.3", "bodies.head.parameters.around=8")
         found = {name: self.mode(partials, name) for name in REFERENCE}
         for name, (frequency, _) in found.items():
             self.assertLess(abs(cents(frequency, REFERENCE[name][0])), 15, name)
