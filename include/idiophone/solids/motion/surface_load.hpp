@@ -33,8 +33,7 @@ class SurfaceLoad {
 
   /// Ends an interval.
   /// @param changes  [triangles x 3 corners] of the mean normal velocity since the interval before, m/s: the volume
-  /// that
-  ///                 a triangle swept is exact
+  ///                 that a triangle swept is exact
   void end_interval(std::span<const solid::NodeState> state, std::span<double> changes);
 
   /// To be filled between the end of an interval and the beginning of the next, [triangles x 3 corners], N.
