@@ -57,7 +57,10 @@ std::vector<explorer::ProxyLevels> proxies_of_maps(const ExploreOptions& options
 int explore(const ExploreOptions& options) {
   std::vector<sound_maps::SoundMap> maps;
   for (const std::string& file : options.maps) {
-    warn_of_small_vibrations(maps.emplace_back(sound_maps::read_sound_map(file)), "the page");
+    maps.push_back(sound_maps::read_sound_map(file));
+    if (!explorer::has_webassembly()) {
+      warn_of_small_vibrations(maps.back(), "the page of a program that was built without WebAssembly");
+    }
   }
   web::write_page(options.page.string(),
                   explorer::page(maps, voices::shortest_delay(), proxies_of_maps(options, maps)));

@@ -12,6 +12,7 @@
 #include "explorer_page_files.hpp"
 #include "explorer_webassembly.hpp"
 #include "idiophone/foundation/web/web_page.hpp"
+#include "idiophone/solids/modal_bodies/rotation_limit.hpp"
 #include "proxy_data.hpp"
 
 namespace idiophone::explorer {
@@ -88,6 +89,26 @@ void add_surface(json& body, const sound_maps::SoundMap& map) {
   body["triangles"] = web::encoded(triangles);
 }
 
+/// H is symmetric, and most of its numbers are zero: each pair of modes that has one is written once.
+json stretching_of(const modal_bodies::Stretching& stretching, std::size_t modes) {
+  std::vector<std::uint32_t> places;
+  std::vector<float> values;
+  for (std::size_t place = 0; place < stretching.quadratic.size(); ++place) {
+    const bool is_first_of_both = place / modes % modes <= place % modes;
+    if (is_first_of_both && stretching.quadratic[place] != 0.0) {
+      places.push_back(static_cast<std::uint32_t>(place));
+      values.push_back(static_cast<float>(stretching.quadratic[place]));
+    }
+  }
+  const auto in_single_precision = [](const std::vector<double>& numbers) {
+    return web::encoded(std::vector<float>(numbers.begin(), numbers.end()));
+  };
+  return {{"linear", in_single_precision(stretching.linear)},
+          {"rotation", in_single_precision(stretching.rotation)},
+          {"places", web::encoded(places)},
+          {"values", web::encoded(values)}};
+}
+
 json body_of(const sound_maps::SoundMap& map) {
   json body = {{"name", map.body},
                {"frequency", web::encoded(map.frequency)},
@@ -107,12 +128,19 @@ json body_of(const sound_maps::SoundMap& map) {
                                  {"position", position_of(listener)},
                                  {"pressure", web::encoded(listener.pressure)}});
   }
+  if (map.stretching.exists()) {
+    body["stretching"] = stretching_of(map.stretching, map.modes());
+  }
   add_surface(body, map);
   add_shapes(body, map);
   return body;
 }
 
 }  // namespace
+
+bool has_webassembly() {
+  return !webassembly.empty();
+}
 
 std::string page(std::span<const sound_maps::SoundMap> maps, double shortest_delay,
                  std::span<const ProxyLevels> proxies) {
@@ -122,6 +150,7 @@ std::string page(std::span<const sound_maps::SoundMap> maps, double shortest_del
   json data = surroundings_of(maps);
   data["bodies"] = json::array();
   data["shortest_delay"] = shortest_delay;
+  data["largest_rotation"] = modal_bodies::largest_right_rotation;
   data["webassembly"] = web::base64(std::as_bytes(std::span(webassembly)));
   for (std::size_t body = 0; body < maps.size(); ++body) {
     json& added = data["bodies"].emplace_back(body_of(maps[body]));

@@ -44,6 +44,22 @@ class Reader {
   std::size_t at_ = 0;
 };
 
+/// Numbers: A [terms x modes], T [modes x modes], and of each pair of modes that a term of H has: the place in H
+/// [terms x modes x modes] and the number there.
+resonators::StretchedModes next_stretching(Reader& reader, std::size_t modes, std::size_t terms, std::size_t pairs,
+                                           int rate) {
+  const auto linear = reader.next(terms * modes), rotation = reader.next(modes * modes);
+  const auto places = reader.next(pairs), values = reader.next(pairs);
+  std::vector<double> quadratic(terms * modes * modes);
+  for (std::size_t pair = 0; pair < pairs; ++pair) {
+    const auto place = static_cast<std::size_t>(places[pair]);
+    const std::size_t row = place / modes, first = row % modes, second = place % modes;
+    quadratic[place] = quadratic[(row - first + second) * modes + first] = values[pair];
+  }
+  const std::vector<resonators::ModeGroup> still = resonators::in_groups(std::vector<resonators::Complex>(modes));
+  return {resonators::StretchingEnergy(linear, quadratic, modes), rotation, still, rate};
+}
+
 touching::ContactEvent next_event(Reader& reader) {
   touching::ContactEvent event;
   event.contact = static_cast<std::uint64_t>(reader.next());
@@ -85,12 +101,22 @@ PageBody* make_body(std::size_t modes, std::size_t channels, int rate) {
   return new PageBody(modes, channels, rate);
 }
 
+/// A body whose vibrations may be large (docs/method/large_amplitudes.md). Numbers: A [terms x modes], T [modes x
+/// modes], and of each pair of modes that has a number in H: places [pairs], numbers [pairs].
+IDIOPHONE_EXPORT("make_stretched_body")
+PageBody* make_stretched_body(std::size_t modes, std::size_t channels, int rate, std::size_t terms, std::size_t pairs) {
+  Reader reader;
+  return new PageBody(modes, channels, rate, next_stretching(reader, modes, terms, pairs, rate));
+}
+
 /// Numbers: frequency and decay [modes], pressure [channels x modes x 2].
 IDIOPHONE_EXPORT("tune")
-void tune(PageBody* body, std::size_t modes, std::size_t channels) {
+void tune(PageBody* body, std::size_t modes, std::size_t channels, double size) {
   Reader reader;
-  body->tune(
-      {.frequency = reader.next(modes), .decay = reader.next(modes), .pressure = reader.next(2 * channels * modes)});
+  body->tune({.frequency = reader.next(modes),
+              .decay = reader.next(modes),
+              .pressure = reader.next(2 * channels * modes),
+              .size = size});
 }
 
 /// Numbers: participation [modes]; mean, slope and begin of the force [samples].
@@ -128,6 +154,12 @@ IDIOPHONE_EXPORT("render")
 bool render(PageBody* body, std::size_t channels, double first, std::size_t samples) {
   numbers().resize(samples * channels);
   return body->render(static_cast<std::int64_t>(first), numbers());
+}
+
+/// The largest so far, root mean square over the body, rad.
+IDIOPHONE_EXPORT("rotation")
+double rotation(const PageBody* body) {
+  return body->largest_rotation();
 }
 
 /// Numbers: Young's modulus, Poisson's ratio, radius, height of the roughness, friction [surfaces x 5].

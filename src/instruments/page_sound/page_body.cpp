@@ -12,8 +12,9 @@ using resonators::Complex;
 using resonators::ModeGroup;
 using resonators::Resonator;
 
-PageBody::PageBody(std::size_t modes, std::size_t channels, int rate)
-    : channels_(channels), rate_(rate), bank_(std::vector<Complex>(modes)), contacts_(rate) {}
+PageBody::PageBody(std::size_t modes, std::size_t channels, int rate,
+                   std::optional<resonators::StretchedModes> stretching)
+    : channels_(channels), rate_(rate), bank_(std::vector<Complex>(modes), std::move(stretching)), contacts_(rate) {}
 
 void PageBody::tune(const PageTuning& tuning) {
   resonators_.clear();
@@ -28,7 +29,7 @@ void PageBody::tune(const PageTuning& tuning) {
       lowest_ = oscillator.damped;
     }
   }
-  bank_.retune(resonators::in_groups(turns), 1.0);
+  bank_.retune(resonators::in_groups(turns), tuning.size);
   gains_.clear();
   for (std::size_t channel = 0; channel < channels_; ++channel) {
     std::vector<Complex> gains;
@@ -145,7 +146,7 @@ bool PageBody::render(std::int64_t first, std::span<double> sound) {
     const std::size_t samples = std::min(resonators::ResonatorBank::most_samples, sound.size() / channels_);
     const std::span<double> piece = sound.first(samples * channels_);
     const std::vector<resonators::Drive> acting = drives(first, samples);
-    if (bows_.empty()) {
+    if (bows_.empty() && !bank_.stretches(acting)) {
       bank_.advance(acting, gains_, channels_, piece);
     } else {
       move_bows(static_cast<std::int64_t>(samples));

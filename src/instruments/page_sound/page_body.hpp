@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <list>
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,14 +21,17 @@ struct PageTuning {
   std::span<const double> frequency;  ///< [modes] Hz
   std::span<const double> decay;      ///< [modes] 1/s
   std::span<const double> pressure;   ///< [channels x modes x 2] real and imaginary part, Pa for 1 m sqrt(kg)/s
+  double size = 1.0;                  ///< of the body over that for which its stretching is
 };
 
 class PageBody {
  public:
   /// At rest and without a sound until tune() is called.
-  /// @param channels  1 or 2
-  /// @param rate      audio samples per second
-  PageBody(std::size_t modes, std::size_t channels, int rate);
+  /// @param channels    1 or 2
+  /// @param rate        audio samples per second
+  /// @param stretching  of the modes where their vibrations may be large
+  PageBody(std::size_t modes, std::size_t channels, int rate,
+           std::optional<resonators::StretchedModes> stretching = std::nullopt);
 
   /// What rings goes on. Modes from half the rate on, and those that only creep back, rest.
   void tune(const PageTuning& tuning);
@@ -45,6 +49,9 @@ class PageBody {
   /// @param first  audio sample
   /// @return false if nothing sounds or acts: `sound` is left as it is then
   [[nodiscard]] bool render(std::int64_t first, std::span<double> sound);
+
+  /// The largest rotation angle of the body's parts while they were stretched, root mean square, rad.
+  [[nodiscard]] double largest_rotation() const { return bank_.largest_rotation(); }
 
  private:
   struct Force {

@@ -149,6 +149,24 @@ void ResonatorBank::add_forces(std::span<const ContactSide> sides, const PointCo
   }
 }
 
+/// Takes away what the modes do in a sample when they only follow the force of stretching.
+template <std::size_t outputs>
+void ResonatorBank::take_sound_of_following(const BodyInContact& body, std::size_t sample) const {
+  if (!stretching_) {
+    return;
+  }
+  std::array<ModePack, outputs> heard{};
+  for (std::size_t group = 0; group < groups(); ++group) {
+    const GroupGains<outputs> of_group = gains_of<outputs>(group, groups(), body.gains);
+    for (std::size_t o = 0; o < outputs; ++o) {
+      heard[o] = with_sound(heard[o], *of_group[o], stretching_->following()[group]);
+    }
+  }
+  for (std::size_t o = 0; o < outputs; ++o) {
+    body.sound[sample * outputs + o] -= sum_of_lanes(heard[o]);
+  }
+}
+
 void ResonatorBank::advance(std::span<const Drive> drives, PointContacts& contacts, std::span<const ModeGroup> gains,
                             std::size_t outputs, std::span<double> sound) {
   const BodyInContact body{.bank = this, .drives = drives, .gains = gains, .outputs = outputs, .sound = sound};
@@ -170,6 +188,8 @@ void advance_together(std::span<const BodyInContact> bodies, PointContacts& cont
     contacts.advance(sample);
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       bodies[i].bank->add_forces(contacts.sides(i), contacts);
+      with_outputs(bodies[i].outputs,
+                   [&]<std::size_t outputs>() { bodies[i].bank->take_sound_of_following<outputs>(bodies[i], sample); });
     }
   }
   for (std::size_t i = 0; i < bodies.size(); ++i) {

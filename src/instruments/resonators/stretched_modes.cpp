@@ -40,7 +40,9 @@ StretchedModes::StretchedModes(StretchingEnergy energy, std::span<const double> 
       slopes_(places_.size()),
       ways_(turns.size()),
       gradient_(turns.size()),
-      pull_(turns.size()) {
+      pull_(turns.size()),
+      forces_(turns.size()),
+      following_(turns.size()) {
   retune(turns, 1.0);
 }
 
@@ -57,10 +59,13 @@ void StretchedModes::retune(std::span<const ModeGroup> turns, double size) {
     const Complex exponent = sounds ? rate_ * std::log(turn) : Complex(0.0, 1.0);
     const Complex half_turn = sounds ? std::sqrt(turn) : 0.0;
     const Complex by_mean = sounds ? (turn - 1.0) / exponent : 0.0;
+    const Complex by_following = sounds ? -1.0 / exponent : 0.0;
     factors.half_turn.real[p][lane] = half_turn.real();
     factors.half_turn.imaginary[p][lane] = half_turn.imag();
     factors.by_mean.real[p][lane] = by_mean.real();
     factors.by_mean.imaginary[p][lane] = by_mean.imag();
+    factors.by_following.real[p][lane] = by_following.real();
+    factors.by_following.imaginary[p][lane] = by_following.imag();
     factors.period[p][lane] = sounds ? 1.0 / exponent.imag() : 0.0;
     factors.slip[p][lane] = -exponent.real() / exponent.imag();
     factors.stiffness[p][lane] = std::norm(exponent);
@@ -71,6 +76,7 @@ void StretchedModes::rest_if_small() {
   if (largest_share_ < inaudible_share) {
     acts_ = false;
     stored_ = 0.0;
+    std::ranges::fill(forces_, GroupNumbers{});
   }
   largest_share_ = 0.0;
 }
@@ -178,7 +184,22 @@ void StretchedModes::find_force(std::span<const ModeGroup> before, std::span<con
   free_root_ = (root_ + product(gradient_, ways_) / 2) / (1 + response_ / 2);
 }
 
+/// The force is constant in a sample. At the beginning it is the mean of this and the last one.
+void StretchedModes::follow(double mean_root) {
+  for (std::size_t group = 0; group < forces_.size(); ++group) {
+    const ModeGroup& by_following = factors_[group].by_following;
+    for (std::size_t p = 0; p < packs_in_group; ++p) {
+      const ModePack force = -mean_root * gradient_[group][p];
+      const ModePack at_beginning = (forces_[group][p] + force) / 2;
+      following_[group].real[p] = by_following.real[p] * at_beginning;
+      following_[group].imaginary[p] = by_following.imaginary[p] * at_beginning;
+      forces_[group][p] = force;
+    }
+  }
+}
+
 void StretchedModes::end(std::span<ModeGroup> after, double mean_root) {
+  follow(mean_root);
   for (std::size_t group = 0; group < after.size(); ++group) {
     for (std::size_t p = 0; p < packs_in_group; ++p) {
       after[group].real[p] -= mean_root * pull_[group].real[p];

@@ -15,6 +15,9 @@ namespace idiophone::explorer {
 /// The proxies of a body, the finest first.
 using ProxyLevels = std::vector<std::shared_ptr<const proxies::Lattice>>;
 
+/// Whether the program was built with WebAssembly. Without it, pages have small vibrations only.
+[[nodiscard]] bool has_webassembly();
+
 /// One HTML page with everything in it: surfaces, modes, scripts. Shapes of modes are rounded to 16 bits, -90 dB of
 /// their largest value.
 /// @param maps            of one deck, with the same listeners of one or two receivers; without maps the page has only

@@ -69,6 +69,10 @@ class StretchedModes {
   /// @param mean_root  free_root(), and what further forces add
   void end(std::span<ModeGroup> after, double mean_root);
 
+  /// [groups] z of modes that only follow the force, at the beginning of the sample that is over. What is heard of the
+  /// modes has to be without it, as for any force (ResonatorBank::advance()).
+  [[nodiscard]] std::span<const ModeGroup> following() const { return following_; }
+
   /// The largest rotation angle so far while the stretching counted, root mean square over the body, rad. Any thread
   /// may ask.
   [[nodiscard]] double largest_rotation() const { return largest_rotation_.now(); }
@@ -83,6 +87,7 @@ class StretchedModes {
   struct Factors {
     ModeGroup half_turn;     ///< in half an audio sample
     ModeGroup by_mean;       ///< z for a constant force of 1 in a sample, s
+    ModeGroup by_following;  ///< z of a mode that follows a force of 1, s
     GroupNumbers period;     ///< displacement over the imaginary part of z, s
     GroupNumbers slip;       ///< decay over damped frequency
     GroupNumbers stiffness;  ///< w^2, 1/s^2
@@ -94,6 +99,7 @@ class StretchedModes {
   void find_gradient(double energy_of_modes);
   void correct_drift(double energy_of_modes);
   void find_response();
+  void follow(double mean_root);
 
   StretchingEnergy energy_;
   std::vector<float> rotation_;  // T
@@ -106,6 +112,8 @@ class StretchedModes {
   std::vector<GroupNumbers> ways_;           // [groups] of the sample without the force
   std::vector<GroupNumbers> gradient_;       // [groups] g
   std::vector<ModeGroup> pull_;              // [groups]
+  std::vector<GroupNumbers> forces_;         // [groups] of the sample before
+  std::vector<ModeGroup> following_;         // [groups]
   double stored_ = 0.0;                      // p^2/2 - offset, J
   double offset_ = 0.0;                      // J
   double root_ = 0.0;                        // p at the beginning of the sample

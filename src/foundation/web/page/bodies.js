@@ -19,10 +19,21 @@ function readBody(data) {
     channels: data.listeners.map(({name, delay, position, pressure}) =>
       ({name, delay, position, pressure: decoded(pressure, Float64Array)})),
     proxies: data.proxies.map(readLevel),
+    stretching: data.stretching ? readStretching(data.stretching) : null,  // of large vibrations
     level: null,  // of the proxy that is struck; null: the modes are
     size: 1,      // times the lengths of the map
     friction: 1,  // times the decay by the material
     tension: 1,   // times the springs of the proxies
+  };
+}
+
+/// How modes stretch their body (docs/method/large_amplitudes.md), as the program writes it.
+function readStretching({linear, rotation, places, values}) {
+  return {
+    linear: decoded(linear, Float32Array),      // A [terms x modes]
+    rotation: decoded(rotation, Float32Array),  // T [modes x modes]
+    places: decoded(places, Uint32Array),       // [pairs] in H [terms x modes x modes], where it is not zero; each pair once
+    values: decoded(values, Float32Array),      // [pairs] of H
   };
 }
 
@@ -58,6 +69,7 @@ function tuningOf(body) {
     decay: Float64Array.from(modes, mode => decayOf(body, mode)),
     pressure: body.channels.map(({pressure}) => pressure.map(part => part / Math.sqrt(body.size))),
     delay: body.channels.map(({delay}) => delay),
+    size: body.size,
   };
 }
 

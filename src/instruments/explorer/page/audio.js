@@ -23,6 +23,8 @@ async function resonatorsIn(context, blows, webassembly = compiledBytes) {
       webassembly,
       tunings: bodies.map(tuningOf),
       proxies: bodies.map(proxyOf),
+      stretchings: bodies.map(({stretching}) => stretching),
+      largestRotation: page.largest_rotation,
       blows,
       shortestDelay: page.shortest_delay,
     },
@@ -69,7 +71,7 @@ async function renderStrikes(strikes, duration, rate, webassembly = compiledByte
 
 /// What is heard: pressure times the volume. It starts again after an error.
 class Sound {
-  /// @param tell  is called with a text when the audio thread ends
+  /// @param tell  is called with a text when the audio thread ends, and when a body vibrates too far for its model
   /// @param hear  is called with what the meter posts (meter.js), and the samples per second
   constructor(tell, hear) {
     this.tell = tell;
@@ -91,6 +93,8 @@ class Sound {
   async begin() {
     const context = new AudioContext({latencyHint: "interactive"}), node = await resonatorsIn(context, []);
     node.onprocessorerror = () => this.end(context);
+    node.port.onmessage = ({data: {turned}}) => this.tell(`The blow on ${bodies[turned].name} is so strong that its parts turn by more than ` +
+      `${page.largest_rotation} rad: its pitch may be wrong by ten cents.`);
     this.volume = new GainNode(context, {gain: this.gain});
     this.analyser = new AnalyserNode(context, {fftSize: 8192, smoothingTimeConstant: 0.3});
     node.connect(this.volume).connect(this.analyser);

@@ -41,18 +41,29 @@ class Compiled {
 
 /// As Modes, and bows can touch them.
 class CompiledModes extends Compiled {
-  /// @param tuning  as of Modes
-  constructor(code, tuning, rate) {
+  /// @param tuning      as of Modes, and size of the body over that of its map
+  /// @param stretching  as of readBody(), if vibrations may be large
+  constructor(code, tuning, rate, stretching = null) {
     super(code);
     this.modes = tuning.frequency.length;
     this.channels = tuning.pressure.length;
-    this.body = code.make_body(this.modes, this.channels, rate);
+    this.body = stretching ? this.stretched(stretching, rate) : code.make_body(this.modes, this.channels, rate);
     this.tune(tuning);
   }
 
-  tune({frequency, decay, pressure}) {
+  stretched({linear, rotation, places, values}, rate) {
+    this.give(linear, rotation, places, values);
+    return this.code.make_stretched_body(this.modes, this.channels, rate, linear.length / this.modes, places.length);
+  }
+
+  tune({frequency, decay, pressure, size = 1}) {
     this.give(frequency, decay, ...pressure);
-    this.code.tune(this.body, this.modes, this.channels);
+    this.code.tune(this.body, this.modes, this.channels, size);
+  }
+
+  /// The largest angle by which large vibrations turned the parts of the body, root mean square, rad.
+  rotation() {
+    return this.code.rotation(this.body);
   }
 
   strike({start, force: {mean, slope, begin}, participation}) {

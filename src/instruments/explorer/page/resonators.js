@@ -39,15 +39,17 @@ class Voice {
 /// level null for the modes; start in audio samples, or null for at once; {strikes: [strike, ...]}; {stroke: {id, kind, ...}} (stroke.js, bowing.js),
 /// {follow: {id, news}} and {lift: id}.
 class Resonators extends AudioWorkletProcessor {
-  constructor({processorOptions: {webassembly, tunings, proxies, blows, shortestDelay}}) {
+  constructor({processorOptions: {webassembly, tunings, proxies, stretchings, largestRotation, blows, shortestDelay}}) {
     super();
     this.code = webassembly && compiledCode(webassembly);
     this.shortestDelay = shortestDelay;
+    this.largestRotation = largestRotation;  // rad, at which stretched modes are still right
     this.voices = [];
+    this.watched = new Map();  // numbers and modes of bodies whose vibrations may be large
     this.proxies = [];
     this.strokes = new Map();
     this.bows = 0;  // so far
-    tunings.forEach((tuning, body) => this.add({tuning, proxies: proxies[body]}));
+    tunings.forEach((tuning, body) => this.add({tuning, proxies: proxies[body], stretching: stretchings[body]}));
     blows.forEach(blow => this.struck(blow).strike(blow));
     this.messages = [];
     this.port.onmessage = ({data}) => this.messages.push(data);
@@ -68,14 +70,26 @@ class Resonators extends AudioWorkletProcessor {
                                  : new Stroke(stroke, sampleRate);
   }
 
-  add({tuning, proxies}) {
-    const modes = this.code ? new CompiledModes(this.code, tuning, sampleRate) : new Modes(tuning, sampleRate);
+  /// Without WebAssembly, vibrations are those of small amplitudes.
+  add({tuning, proxies, stretching}) {
+    const modes = this.code ? new CompiledModes(this.code, tuning, sampleRate, stretching) : new Modes(tuning, sampleRate);
+    if (this.code && stretching) this.watched.set(this.voices.length, modes);
     this.voices.push(new Voice(modes, tuning, this.shortestDelay));
     this.proxies.push(proxies.levels.map(level => new ProxyVoice(level, {...proxies, shortestDelay: this.shortestDelay})));
   }
 
   struck({body, level}) {
     return level === null ? this.voices[body] : this.proxies[body][level];
+  }
+
+  /// Tells once of each body that its parts turn too far.
+  watchRotations() {
+    for (const [turned, modes] of this.watched) {
+      if (modes.rotation() > this.largestRotation) {
+        this.port.postMessage({turned});
+        this.watched.delete(turned);
+      }
+    }
   }
 
   process(inputs, [channels]) {
@@ -86,6 +100,7 @@ class Resonators extends AudioWorkletProcessor {
       if (stroke.isOver) this.strokes.delete(id);
     }
     for (const voice of [...this.voices, ...this.proxies.flat()]) voice.render(currentFrame, channels);
+    this.watchRotations();
     return true;
   }
 }
