@@ -197,6 +197,34 @@ TEST(StretchedModes, ExchangeEnergyWithContacts) {
   EXPECT_GT(first.energy() + second.energy(), 1e-4 * start);
 }
 
+// Far away, the pressure of a velocity v with the frequency w that is heard by R + i X is R v + X v'/w.
+TEST(StretchedModes, SoundByTheirVelocitiesAndAccelerations) {
+  const StretchedBody body{
+      .frequencies = {160, 270, 2000}, .linear = {0, 0, 6e6}, .quadratic = {50, 0, 0, 0, 0, 0, 0, 0, 0}};
+  constexpr double real = 0.3, imaginary = 2.0;
+  const std::vector<ModeGroup> gains = in_groups(std::vector<Complex>{0.0, 0.0, {real, imaginary}});
+  ResonatorBank bank(body.turns(), body.modes());
+  const std::vector<ForcePiece> force(1, {.mean = 3000.0 * rate, .slope = 0.0});
+  const std::vector<ModeGroup> none(1);
+  const std::vector<ModeGroup> lowest = in_groups(std::vector<Complex>{1.0 / rate, 0.0, 0.0});
+  PointContacts nothing(rate);
+  std::vector<double> sound, velocity, piece(1);
+  for (int sample = 0; sample < rate / 10; ++sample) {
+    const Drive blow{.force = force, .by_mean = lowest, .by_slope = none};
+    velocity.push_back(bank.state(2).real());
+    bank.advance(sample == 0 ? std::span(&blow, 1) : std::span<const Drive>{}, nothing, gains, 1, piece);
+    sound.push_back(piece[0]);
+  }
+  double error = 0.0, largest = 0.0;
+  for (std::size_t i = 10; i + 1 < sound.size(); ++i) {
+    const double acceleration = (velocity[i + 1] - velocity[i - 1]) * rate / 2;
+    const double expected = real * velocity[i] + imaginary * acceleration / (2 * std::numbers::pi * 2000);
+    error = std::max(error, std::abs(sound[i] - expected));
+    largest = std::max(largest, std::abs(expected));
+  }
+  EXPECT_LT(error, 0.02 * largest);
+}
+
 TEST(StretchedModes, AreLinearWhereTheyAreSmall) {
   const StretchedBody body;
   ResonatorBank with(body.turns(), body.modes());
