@@ -1,5 +1,5 @@
 // node large.mjs PAGE GIVEN: opens the Sonic Explorer in Chromium without a window, renders blows on its first body, each alone; then the
-// last one on a longer body, and the first one by JavaScript; measures how long the last one takes over how long it sounds; and strikes
+// last one on a longer body, and the first one by JavaScript; measures how long a second of the last one takes, s; and strikes
 // so hard that the page doubts the pitch. Prints what happened as JSON.
 import {openExplorer} from "./browser.mjs";
 
@@ -18,9 +18,13 @@ const heard = isCompiled && await page.evaluate(async ({blows, size, duration, r
   const {origin, direction, hammer} = blows.at(-1), block = 128;
   const modes = new CompiledModes(compiledCode(compiledBytes), tuningOf(body), rate, body.stretching);
   modes.strike({start: 0, ...blowOn(0, hit(body, origin, unit(direction)), hammer, rate)});
-  const begin = performance.now();
-  for (let first = 0; first < rate; first += block) modes.render(first, block);
-  return {sounds, javascript, sized, load: (performance.now() - begin) / 1000};
+  let load = Infinity;  // in a time in which hardly anybody interrupts
+  for (let first = 0; first < rate; first += 4 * block) {
+    const begin = performance.now();
+    for (let piece = 0; piece < 4; ++piece) modes.render(first + piece * block, block);
+    load = Math.min(load, (performance.now() - begin) / 1000 / (4 * block / rate));
+  }
+  return {sounds, javascript, sized, load};
 }, JSON.parse(given));
 
 const told = isCompiled && await (async () => {
