@@ -200,7 +200,7 @@ TEST(StretchedModes, ExchangeEnergyWithContacts) {
 // Far away, the pressure of a velocity v with the frequency w that is heard by R + i X is R v + X v'/w.
 TEST(StretchedModes, SoundByTheirVelocitiesAndAccelerations) {
   const StretchedBody body{
-      .frequencies = {160, 270, 2000}, .linear = {0, 0, 6e6}, .quadratic = {50, 0, 0, 0, 0, 0, 0, 0, 0}};
+      .frequencies = {160, 270, 2000}, .linear = {0, 0, 6000}, .quadratic = {50, 0, 0, 0, 0, 0, 0, 0, 0}};
   constexpr double real = 0.3, imaginary = 2.0;
   const std::vector<ModeGroup> gains = in_groups(std::vector<Complex>{0.0, 0.0, {real, imaginary}});
   ResonatorBank bank(body.turns(), body.modes());
