@@ -134,6 +134,28 @@ class Bench(program.TestCase):
         self.assertIn("mode 1, computed at", job.stderr)
         self.assertIn("was not measured", job.stderr)
 
+    def test_a_line_that_the_last_tap_misses_is_carried_over(self):
+        made, page = self.output / "cuts.yaml", self.output / "bench.html"
+        made.write_text('cuts: [{tool: "router:0.006", place: 0.0255, depth: 0.0005}]')
+        cut = [partial["computed"] for partial in self.facts("--cuts", made)["partials"]]
+        lines = [partial["computed"] for partial in self.facts()["partials"]]
+        made.write_text('cuts: [{tool: "router:0.006", place: 0.0255, depth: 0.0005}]\n'
+                        f"taps: [{{cuts: 0, lines: {lines}, uncertainties: [1, 1, 1], at: [0.17, 0, 0]}}]")
+        again = ("--cuts", made, *self.measured([cut[0], cut[2]]), AT_THE_END)
+        facts = self.facts(*again, "-o", page)
+        first, second, third = facts["partials"]
+        self.assertEqual((first["carried_over"], third["carried_over"]), (None, None))
+        moved = 1200 * math.log2(cut[1] / lines[1])
+        self.assertEqual(second["carried_over"]["tap"], 1)
+        self.assertAlmostEqual(second["carried_over"]["moved"], moved, delta=0.5)
+        self.assertGreater(second["carried_over"]["uncertainty"], 1.0)
+        self.assertLess(second["carried_over"]["uncertainty"], 0.2 * abs(moved) + 1)
+        self.assertAlmostEqual(second["measured"], cut[1], delta=1e-3 * cut[1])
+        self.assertIsNotNone(facts["tap_at"])
+        text = self.bench(*TARGET, *again).stdout
+        self.assertIn("the last tap has no line of mode 2: the line is that of tap 1, moved by -", text)
+        self.assertIn("The last tap has no line of mode 2. The line is that of tap 1", in_browser("bench.mjs", page)["carried"])
+
     def test_a_recording_of_a_tap_tells_the_shift_of_a_stiffer_bar(self):
         stiffer = 1.02  # times Young's modulus: all modes rise by the same
         mapped = program.idiophone("map", BAR, *COARSE, "--set", f"materials.aluminium.young={stiffer * 7e10}",

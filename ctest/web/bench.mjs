@@ -9,9 +9,9 @@ const first = await text("#legend");
 const bands = await page.evaluate(() => window.idiophone.bench.view.bodies.map(({triangles}) => triangles.length));
 await page.locator("#choice button").last().click();
 const last = await text("#legend");
-const advice = await text("#advice");
+const advice = await text("#advice"), carried = await text("#carried");
 const cuts = await page.locator("#cuts tr").count() - 1;
 const narrow = await page.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth);
 await browser.close();
-console.log(JSON.stringify({complaints, narrow, advice, cuts, cut_triangles: bands[9],
+console.log(JSON.stringify({complaints, narrow, advice, carried, cuts, cut_triangles: bands[9],
                             coloured: bands.slice(0, 9).filter(count => count > 0).length, first_legend: first, last_legend: last}));

@@ -86,6 +86,30 @@ void print_distances(const BenchAnswer& answer) {
   }
 }
 
+/// "that of tap 1, moved by -3.20 cents by 2 cuts, +- 0.41"
+std::string origin_of(const BenchPartial& partial, const bench::Past& past) {
+  const std::size_t cuts = past.cuts.size() - past.taps[partial.carried->tap].cuts;
+  return fmt::format("that of tap {}, moved by {:+.2f} cents by {} cut{}, +- {:.2f}", partial.carried->tap + 1,
+                     partial.carried->moved, cuts, cuts == 1 ? "" : "s", partial.line->uncertainty);
+}
+
+void print_carried(const BenchAnswer& answer) {
+  for (const BenchPartial& partial : answer.session.partials) {
+    if (partial.carried) {
+      fmt::print("the last tap has no line of mode {}: the line is {}\n", partial.mode,
+                 origin_of(partial, answer.past));
+    }
+  }
+}
+
+json carried_over(const BenchPartial& partial) {
+  if (!partial.carried) {
+    return {};
+  }
+  return {
+      {"tap", partial.carried->tap + 1}, {"moved", partial.carried->moved}, {"uncertainty", partial.line->uncertainty}};
+}
+
 void print_learned(const BenchAnswer& answer) {
   if (!answer.session.learned) {
     return;
@@ -187,8 +211,10 @@ std::string advice(const BenchAnswer& answer) {
         return "the cuts that the slopes allow pass a target in the solved body, even where they are as shallow as "
                "--depth-error: choose other tools, or another side";
       }
-      return "any cut may pass a target: give a smaller --depth-error, a tool with a smaller radius, or more exact "
-             "measurements";
+      return "any cut may pass a target: " +
+             (answer.session.renewal.empty()
+                  ? "give a smaller --depth-error, a tool with a smaller radius, or more exact measurements"
+                  : "a line is that of an earlier tap. " + answer.session.renewal);
     case Verdict::out_of_reach:
       break;
   }
@@ -203,6 +229,7 @@ std::string advice(const BenchAnswer& answer) {
 
 void print(const BenchAnswer& answer) {
   print_distances(answer);
+  print_carried(answer);
   print_learned(answer);
   print_effects(answer);
   if (!answer.plan.visits.empty()) {
@@ -240,6 +267,7 @@ json to_json(const BenchAnswer& answer) {
          {"computed", partial.computed},
          {"measured", partial.line ? json(partial.line->frequency) : json()},
          {"shift", partial.line ? json(partials::cents(partial.line->frequency, partial.computed)) : json()},
+         {"carried_over", carried_over(partial)},
          {"wanted", partial.wanted},
          {"missing", 0.0 - plan.errors[place]},
          {"expected", expected[place]},

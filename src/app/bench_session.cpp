@@ -32,6 +32,13 @@ std::string question_of(const bench::Workpiece& piece, const bench::Doubt& doubt
   return fmt::format("{} may have the line at {:.2f} or that at {:.2f} Hz", mode, doubt.line, doubt.other_line.value());
 }
 
+/// "Tap at 0.17,0,0 m, where ..."
+std::string request_of(const Vector3& place, std::size_t mode, std::optional<std::size_t> other) {
+  const std::string there = fmt::format("{:.4g},{:.4g},{:.4g}", place.x(), place.y(), place.z());
+  return fmt::format("Tap at {} m, where mode {} moves{}, and give --tapped-at={}", there, mode + 1,
+                     other ? fmt::format(" and mode {} hardly does", *other + 1) : " most", there);
+}
+
 /// What may be, and the measurement that decides.
 std::string sentence_of(const bench::Workpiece& piece, const bench::Doubt& doubt, const std::optional<Vector3>& place) {
   if (!place) {
@@ -39,10 +46,7 @@ std::string sentence_of(const bench::Workpiece& piece, const bench::Doubt& doubt
            ". No place for a tap tells them apart: measure more exactly, or give only "
            "the lines of the modes to be tuned in a YAML file";
   }
-  const std::string there = fmt::format("{:.4g},{:.4g},{:.4g}", place->x(), place->y(), place->z());
-  return fmt::format("{}. Tap at {} m, where mode {} moves{}, and give --tapped-at={}", question_of(piece, doubt),
-                     there, doubt.mode + 1,
-                     doubt.other ? fmt::format(" and mode {} hardly does", *doubt.other + 1) : " most", there);
+  return fmt::format("{}. {}", question_of(piece, doubt), request_of(*place, doubt.mode, doubt.other));
 }
 
 void doubt_lines(BenchSession& session, const bench::Workpiece& piece) {
@@ -50,6 +54,17 @@ void doubt_lines(BenchSession& session, const bench::Workpiece& piece) {
     const bench::Doubt& doubt = *session.learned->doubt;
     session.decisive = bench::deciding_place(piece.uncut(), piece.side(), doubt.mode, doubt.other);
     session.doubt = sentence_of(piece, doubt, session.decisive);
+  }
+}
+
+/// Of the lines that are carried over, asks for the one that is known worst.
+void ask_for_carried_lines(BenchSession& session, const bench::Workpiece& piece) {
+  const auto doubt_of = [](const BenchPartial& partial) { return partial.carried ? partial.line->uncertainty : -1.0; };
+  const BenchPartial& worst = *std::ranges::max_element(session.partials, {}, doubt_of);
+  if (session.doubt.empty() && worst.carried) {
+    const auto mode = static_cast<std::size_t>(worst.mode) - 1;
+    session.decisive = bench::deciding_place(piece.uncut(), piece.side(), mode, {});
+    session.renewal = session.decisive ? request_of(*session.decisive, mode, {}) : "";
   }
 }
 
@@ -86,8 +101,10 @@ BenchSession with_taps(bench::Workpiece& piece, const BenchSubject& subject, con
                                                  "deck by `identify`, or allow more by --match"
                                                : "Besides, " + session.doubt));
     }
-    session.partials.push_back({.mode = number, .computed = learned.computed[p], .line = learned.lines[p]});
+    session.partials.push_back(
+        {.mode = number, .computed = learned.computed[p], .line = learned.lines[p], .carried = learned.carried[p]});
   }
+  ask_for_carried_lines(session, piece);
   if (learned.material) {
     piece.take(*learned.material);
   }
@@ -109,6 +126,8 @@ BenchSession begin_session(bench::Workpiece& piece, const BenchSubject& subject,
 bench::Partials distances_of(const std::vector<BenchPartial>& partials, bool are_ratios) {
   const auto count = static_cast<Eigen::Index>(partials.size());
   bench::Partials result{Eigen::VectorXd(count), Eigen::VectorXd(count), are_ratios};
+  std::ranges::transform(partials, std::back_inserter(result.carried),
+                         [](const BenchPartial& partial) { return partial.carried.has_value(); });
   for (Eigen::Index p = 0; p < count; ++p) {
     const BenchPartial& partial = partials[static_cast<std::size_t>(p)];
     result.cents[p] = partials::cents(partial.frequency(), partial.wanted);

@@ -15,10 +15,11 @@
 namespace idiophone::app {
 
 struct BenchPartial {
-  int mode = 0;                            ///< its number, from 1 on
-  double computed = 0.0;                   ///< Hz, of the deck's body with the cuts
-  std::optional<fitting::Line> line = {};  ///< measured; none without taps, or where it is doubted
-  double wanted = 0.0;                     ///< Hz; of ratios with the first partial's frequency
+  int mode = 0;                                    ///< its number, from 1 on
+  double computed = 0.0;                           ///< Hz, of the deck's body with the cuts
+  std::optional<fitting::Line> line = {};          ///< measured; none without taps, or where it is doubted
+  std::optional<bench::CarriedOver> carried = {};  ///< none of a line of the last tap
+  double wanted = 0.0;                             ///< Hz; of ratios with the first partial's frequency
 
   /// Measured, or else computed, Hz.
   [[nodiscard]] double frequency() const { return line ? line->frequency : computed; }
@@ -30,7 +31,8 @@ struct BenchSession {
   std::vector<bench::Cut> cuts;           ///< that were made, as deep as they are
   bench::Workpiece::Solved body;          ///< with them
   std::string doubt;                      ///< which line may be that of another mode, as a sentence; empty: none
-  std::optional<Vector3> decisive;        ///< where a tap would tell, m
+  std::string renewal;              ///< the tap that would have a line that is carried over, as a sentence; empty: none
+  std::optional<Vector3> decisive;  ///< where such a tap is, or one that ends the doubt, m
 };
 
 /// What is tuned, by which measurement.

@@ -155,6 +155,22 @@ TEST(Certainty, LeavesTheSameShareOfAllPartialsThatAreOutOfTune) {
   EXPECT_NEAR((certainty.to_leave(Eigen::Vector2d(40, 2), spread) - Eigen::Vector2d(13, 1)).norm(), 0, 1e-12);
 }
 
+// The uncertainty of a line of the last tap lets a partial pass its target by 12 cents; that of one carried over does
+// not.
+TEST(Certainty, AllowsNothingForTheUncertaintyOfALineThatIsCarriedOver) {
+  const PlanOptions options;
+  const Eigen::Vector2d errors(40, 40), expected(2, 2), none(0, 0);
+  const Certainty tapped({errors, Eigen::Vector2d(4, 4), false}, options);
+  const Certainty carried({errors, Eigen::Vector2d(4, 4), false, {false, true}}, options);
+  EXPECT_EQ(tapped.too_far(errors, expected, Eigen::Vector2d(4, 4)), none);
+  EXPECT_NEAR((carried.too_far(errors, expected, Eigen::Vector2d(4, 4)) - Eigen::Vector2d(0, -5)).norm(), 0, 1e-12);
+  EXPECT_TRUE(tapped.is_measured());
+  EXPECT_FALSE(carried.is_measured());
+  EXPECT_TRUE(Certainty({errors, Eigen::Vector2d(4, 1.6), false, {false, true}}, options).is_measured());
+  // An interval above a first partial that is carried over is as uncertain as that one.
+  EXPECT_FALSE(Certainty({errors, Eigen::Vector2d(4, 0.5), true, {true, false}}, options).is_measured());
+}
+
 TEST(Certainty, AsksThatNoPartialGoesAway) {
   const PlanOptions options;
   const Certainty certainty({Eigen::Vector2d(6, -20), Eigen::Vector2d(0.5, 0.5), false}, options);
@@ -307,6 +323,15 @@ TEST(Plan, EndsWhereThePartialsAreInTune) {
   const Plan plan = plan_for({2.5, -2.5});
   EXPECT_EQ(plan.verdict, Verdict::in_tune);
   EXPECT_TRUE(plan.visits.empty());
+}
+
+TEST(Plan, AsksForAnotherTapWhereALineThatIsCarriedOverMayBeOutOfTune) {
+  const auto verdict_with = [](double uncertainty) {
+    const Partials partials{Eigen::Vector2d(2.5, -2.5), Eigen::Vector2d(0.5, uncertainty), false, {false, true}};
+    return plan_cuts(straight(bar()), both_tools, partials, {}).verdict;
+  };
+  EXPECT_EQ(verdict_with(1.0), Verdict::in_tune);
+  EXPECT_EQ(verdict_with(4.0), Verdict::not_safe);
 }
 
 // At all places that lower the first partial, twice the error of the depth throws it by more than a quarter of its

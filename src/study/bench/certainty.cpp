@@ -9,14 +9,32 @@ using Eigen::ArrayXd;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-Certainty::Certainty(const Partials& partials, const PlanOptions& options)
-    : options_(options), are_ratios_(partials.are_ratios), measured_(partials.uncertainties) {
-  if (are_ratios_) {
-    measured_ = (measured_.array().square() + std::pow(partials.uncertainties[0], 2)).sqrt();
-    measured_[0] = 0.0;
+namespace {
+
+/// Standard deviations of partials, or of the intervals above the first one.
+VectorXd deviations_of(const VectorXd& partials, bool are_ratios) {
+  VectorXd deviations = partials;
+  if (are_ratios) {
+    deviations = (partials.array().square() + std::pow(partials[0], 2)).sqrt();
+    deviations[0] = 0.0;
   }
+  return deviations;
+}
+
+}  // namespace
+
+Certainty::Certainty(const Partials& partials, const PlanOptions& options)
+    : options_(options),
+      are_ratios_(partials.are_ratios),
+      measured_(deviations_of(partials.uncertainties, partials.are_ratios)) {
   constexpr double passed = 5.0 / 3;  // of the tolerance
-  limits_ = (certain * measured_).cwiseMax(passed * options.tolerance);
+  VectorXd tapped = partials.uncertainties;
+  for (std::size_t p = 0; p < partials.carried.size(); ++p) {
+    if (partials.carried[p]) {
+      tapped[static_cast<Eigen::Index>(p)] = 0.0;
+    }
+  }
+  limits_ = (certain * deviations_of(tapped, are_ratios_)).cwiseMax(passed * options.tolerance);
 }
 
 MatrixXd Certainty::of_intervals(const MatrixXd& cents) const {
@@ -25,6 +43,10 @@ MatrixXd Certainty::of_intervals(const MatrixXd& cents) const {
 
 bool Certainty::is_in_tune(const VectorXd& errors) const {
   return errors.cwiseAbs().maxCoeff() <= options_.tolerance;
+}
+
+bool Certainty::is_measured() const {
+  return ((certain * measured_).array() <= limits_.array()).all();
 }
 
 VectorXd Certainty::after(const std::vector<Cut>& cuts) const {

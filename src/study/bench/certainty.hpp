@@ -20,6 +20,9 @@ class Certainty {
 
   [[nodiscard]] bool is_in_tune(const Eigen::VectorXd& errors) const;
 
+  /// Whether all partials are known as well as they must be, without another tap.
+  [[nodiscard]] bool is_measured() const;
+
   /// Standard deviations of the errors now. [partials] cents
   [[nodiscard]] const Eigen::VectorXd& measured() const { return measured_; }
 

@@ -62,7 +62,7 @@ class Planner {
 
   Plan plan() {
     plan_.unreachable = VectorXd::Zero(plan_.errors.size());
-    if (certainty_.is_in_tune(plan_.errors)) {
+    if (certainty_.is_in_tune(plan_.errors) && certainty_.is_measured()) {
       return std::move(plan_);
     }
     plan_.unreachable = unreachable_from(plan_.errors);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "doubt.hpp"
+#include "idiophone/study/partials/compare.hpp"
 #include "tap_expectation.hpp"
 #include "tap_hypotheses.hpp"
 
@@ -18,6 +19,21 @@ constexpr double certain = 0.99;
 Estimate estimate_of(const TapHypothesis& hypothesis, Eigen::Index unknown, std::string name) {
   return {std::move(name), hypothesis.unknowns[unknown],
           std::sqrt(std::max(0.0, hypothesis.covariance(unknown, unknown)))};
+}
+
+/// Carries over the lines of earlier taps that the last one certainly misses.
+void carry_over(Learned& learned, const TapHypothesis& hypothesis, const std::vector<std::size_t>& tuned,
+                const ExpectedTap& last) {
+  learned.carried.resize(tuned.size());
+  for (std::size_t p = 0; p < tuned.size(); ++p) {
+    const std::optional<HeardLine>& heard = hypothesis.heard[tuned[p]];
+    if (heard && !learned.lines[p] && !learned.is_doubted[p]) {
+      const Pitch pitch = hypothesis.pitch_of(tuned[p], last);
+      const double frequency = std::exp2(pitch.cents / 1200);
+      learned.lines[p] = {.frequency = frequency, .uncertainty = pitch.deviation};
+      learned.carried[p] = {heard->tap, partials::cents(frequency, heard->frequency)};
+    }
+  }
 }
 
 /// Takes the constants that the taps tell. They are estimates by slopes, which know no bounds, so they go only as far
@@ -54,11 +70,10 @@ Learned learn(const Workpiece& piece, const std::vector<Cut>& made, const std::v
               const Beliefs& beliefs) {
   TapExpectations expectations(piece, made, beliefs);
   TapHypotheses hypotheses(expectations.unknowns().size());
-  Eigen::VectorXd cents;  // [modes] at the last tap
+  ExpectedTap last;
   for (const Tap& tap : taps) {
-    const ExpectedTap expected = expectations.of(tap);
-    hypotheses.hear(tap.lines, expected);
-    cents = expected.cents;
+    last = expectations.of(tap);
+    hypotheses.hear(tap.lines, last);
   }
   const std::vector<fitting::Line>& lines = taps.back().lines;
   const std::vector<std::size_t>& tuned = piece.uncut().tuned;
@@ -68,7 +83,7 @@ Learned learn(const Workpiece& piece, const std::vector<Cut>& made, const std::v
   Learned learned;
   learned.probability = certainness.probability;
   for (const std::size_t mode : tuned) {
-    learned.computed.push_back(std::exp2(cents[static_cast<Eigen::Index>(mode)] / 1200));
+    learned.computed.push_back(std::exp2(last.cents[static_cast<Eigen::Index>(mode)] / 1200));
     learned.lines.push_back(best.lines[mode] ? std::optional(lines[*best.lines[mode]]) : std::nullopt);
   }
   if (certainness.probability < certain && certainness.rival != nullptr) {
@@ -79,6 +94,7 @@ Learned learn(const Workpiece& piece, const std::vector<Cut>& made, const std::v
     const std::array<std::size_t, 1> alone = {mode};
     learned.is_doubted.push_back(is_named || certainness_of(hypotheses, alone, lines).probability < certain);
   }
+  carry_over(learned, best, tuned, last);
   learn_constants(learned, piece.material(), best, unknowns);
   for (std::size_t c = 0; c < made.size(); ++c) {
     learned.depths.push_back(estimate_of(best, unknowns.depth(c), {}));

@@ -73,10 +73,18 @@ TapHypothesis extended(TapHypothesis known, const Extension& extension, const Ex
 TapHypotheses::TapHypotheses(Eigen::Index unknowns)
     : hypotheses_{{VectorXd::Zero(unknowns), Eigen::MatrixXd::Zero(unknowns, unknowns), 0.0, {}}} {}
 
+Pitch TapHypothesis::pitch_of(std::size_t mode, const ExpectedTap& expected) const {
+  const auto row = static_cast<Eigen::Index>(mode);
+  const Eigen::RowVectorXd slopes = expected.slopes.row(row);
+  return {expected.cents[row] + slopes.dot(unknowns),
+          std::sqrt(std::max(0.0, slopes.dot(covariance * slopes.transpose())))};
+}
+
 void TapHypotheses::hear(std::span<const Line> lines, const ExpectedTap& expected) {
   for (TapHypothesis& hypothesis : hypotheses_) {
     hypothesis.covariance.diagonal() += expected.spread.cwiseAbs2();
     hypothesis.lines.clear();
+    hypothesis.heard.resize(static_cast<std::size_t>(expected.cents.size()));
   }
   for (Eigen::Index m = 0; m < expected.cents.size(); ++m) {
     const ExpectedMode mode{expected.cents[m], expected.slopes.row(m), expected.heard[static_cast<std::size_t>(m)]};
@@ -89,9 +97,13 @@ void TapHypotheses::hear(std::span<const Line> lines, const ExpectedTap& expecte
     std::vector<TapHypothesis> next;
     for (const Extension& extension : extensions) {
       next.push_back(extended(hypotheses_[extension.parent], extension, mode));
+      if (extension.line) {
+        next.back().heard[static_cast<std::size_t>(m)] = {taps_, lines[*extension.line].frequency};
+      }
     }
     hypotheses_ = std::move(next);
   }
+  ++taps_;
 }
 
 Certainness certainness_of(const TapHypotheses& hypotheses, std::span<const std::size_t> modes,

@@ -19,12 +19,28 @@ struct ExpectedTap {
   std::vector<double> heard;  ///< [modes] probabilities that the tap has a line of each
 };
 
+/// The last line of a mode.
+struct HeardLine {
+  std::size_t tap = 0;     ///< its number, from 0 on
+  double frequency = 0.0;  ///< Hz
+};
+
+/// Where a mode is by all taps.
+struct Pitch {
+  double cents = 0.0;      ///< 1200 log2 of its frequency in Hz
+  double deviation = 0.0;  ///< standard deviation, cents
+};
+
 /// A way to take the lines of all taps for modes.
 struct TapHypothesis {
-  Eigen::VectorXd unknowns;                       ///< expected
-  Eigen::MatrixXd covariance;                     ///< of the unknowns
-  double likelihood = 0.0;                        ///< its logarithm, but for a constant
-  std::vector<std::optional<std::size_t>> lines;  ///< [modes] of the last tap; none of a mode that is not heard
+  Eigen::VectorXd unknowns;                          ///< expected
+  Eigen::MatrixXd covariance;                        ///< of the unknowns
+  double likelihood = 0.0;                           ///< its logarithm, but for a constant
+  std::vector<std::optional<std::size_t>> lines;     ///< [modes] of the last tap; none of a mode that is not heard
+  std::vector<std::optional<HeardLine>> heard = {};  ///< [modes] of all taps; none of a mode that was never heard
+
+  /// @param expected  what the model says about the last tap
+  [[nodiscard]] Pitch pitch_of(std::size_t mode, const ExpectedTap& expected) const;
 };
 
 /// The likeliest ways to take the lines of taps for modes, one to one in each tap (multiple hypotheses, Reid 1979).
@@ -43,6 +59,7 @@ class TapHypotheses {
 
  private:
   std::vector<TapHypothesis> hypotheses_;
+  std::size_t taps_ = 0;
 };
 
 /// How certain it is which lines some modes have.

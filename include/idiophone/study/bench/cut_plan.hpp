@@ -10,9 +10,10 @@ namespace idiophone::bench {
 
 /// Partials to tune.
 struct Partials {
-  Eigen::VectorXd cents;          ///< [partials] above their targets
-  Eigen::VectorXd uncertainties;  ///< [partials] standard deviations of `cents`
-  bool are_ratios = false;        ///< only intervals above the first partial count, whose pitch is free
+  Eigen::VectorXd cents;           ///< [partials] above their targets
+  Eigen::VectorXd uncertainties;   ///< [partials] standard deviations of `cents`
+  bool are_ratios = false;         ///< only intervals above the first partial count, whose pitch is free
+  std::vector<bool> carried = {};  ///< [partials] whose lines are of earlier taps; empty: none
 };
 
 struct PlanOptions {
@@ -56,9 +57,10 @@ struct Plan {
 
 /// Chooses cuts by non-negative least squares over all tools and places. Each partial goes as near to its target as it
 /// can, so that with a probability of 99.9 % (three standard deviations) it does not pass it by more than 5/3 of the
-/// tolerance, or than three times the uncertainty of its measurement where that is more. The body is solved with the
-/// cuts, and their depths are corrected by the slopes half-way, in up to five rounds; then they become shallower until
-/// they are safe. No cut is deeper than allowed.
+/// tolerance, or than three times the uncertainty of its line where that is more. The uncertainty of a line that is
+/// carried over allows nothing, and where it is too large for the limit, the verdict is not `in_tune`. The body is
+/// solved with the cuts, and their depths are corrected by the slopes half-way, in up to five rounds; then they become
+/// shallower until they are safe. No cut is deeper than allowed.
 /// @param model  of the body; what it is with no further cut counts as the measured body
 /// It never says `ambiguous`.
 /// @throws OutsideOfModel where the model has no answer for the next cuts

@@ -34,9 +34,17 @@ struct Doubt {
   std::optional<std::size_t> other;  ///< the mode of the uncut body that may have the line instead
 };
 
+/// Where a line comes from that the last tap does not have.
+struct CarriedOver {
+  std::size_t tap = 0;  ///< the last one that had the line, from 0 on
+  double moved = 0.0;   ///< cents by which the cuts since then moved it
+};
+
 /// What all taps together tell.
 struct Learned {
-  std::vector<std::optional<fitting::Line>> lines;  ///< [partials] of the last tap; none that was not heard
+  std::vector<std::optional<fitting::Line>> lines;  ///< [partials] of the last tap, or carried over; none where it is
+                                                    ///< doubted, or was never heard
+  std::vector<std::optional<CarriedOver>> carried;  ///< [partials] none of a line of the last tap
   std::vector<double> computed;                     ///< [partials] Hz, of the deck's body with the asked cuts
   double probability = 1.0;                         ///< that these are their lines
   std::optional<Doubt> doubt;                       ///< where that is less than 99 %
@@ -53,6 +61,8 @@ struct Learned {
 /// Unknown are a common shift of all modes, the thickness of the body, the constants of its material, a deviation of
 /// each mode that is its own, and the depth of each cut. They are normal and linear about the deck's body
 /// with the asked cuts. A mode is not expected in a tap at a place where it hardly moves at right angles to the side.
+/// Where the last tap misses a mode without doubt, the line of an earlier tap is carried over: to where the cuts since
+/// then, and all else that was learned, put it. Its uncertainty grows by the errors of these cuts.
 /// @param made  all cuts so far, as they were asked for
 /// @param taps  at least one, in the order of time; the last one after all cuts
 /// @throws std::runtime_error where a tap is not on the body, and what Workpiece::with() throws

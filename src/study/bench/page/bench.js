@@ -39,6 +39,9 @@ class Bench {
          partials.map(({mode, computed, measured, wanted, missing, expected, uncertainty}) =>
            [mode, computed.toFixed(2), measured === null ? "–" : measured.toFixed(2), wanted.toFixed(2), signed(missing),
             `${signed(expected)} ± ${uncertainty.toFixed(1)}`]));
+    element("carried").textContent = partials.filter(({carried_over}) => carried_over).map(({mode, carried_over}) =>
+      `The last tap has no line of mode ${mode}. The line is that of tap ${carried_over.tap}, moved by ` +
+      `${signed(carried_over.moved)} ct by the cuts since then, ± ${carried_over.uncertainty.toFixed(1)}.`).join(" ");
     element("where").textContent = cuts.length > 0 ? `At the side ${side}, across the whole side.` : "None.";
     fill(element("cuts"), cuts.length > 0 ? ["tool", `${along}/mm`, "width/mm", "depth/mm", ...modes] : [],
          cuts.map(({tool, place, width, depth, cents}) =>
