@@ -36,8 +36,8 @@ struct Radii {
 /// @throws std::runtime_error for a tool whose radius does not suit a body of this length (m)
 void require_suitable_radii(const std::vector<Tool>& tools, double length);
 
-/// Tools whose cuts are narrower than the body is thick get a slope error: nodes that move give narrow cuts less than
-/// their effect, because they do not relieve the material beside them (docs/use/bench.md, Limits).
+/// Tools whose cuts are narrower than the body is thick get a slope error: nodes that move do not relieve the material
+/// beside a cut, and what is added for it is not exact for deep narrow cuts (docs/use/bench.md, Limits).
 /// @param thinnest  m, of the body
 /// @return those tools
 std::vector<Tool> doubt_narrow_tools(std::vector<Tool>& tools, double thinnest);
