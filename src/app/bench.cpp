@@ -129,7 +129,7 @@ void warn_of_narrow_tools(std::vector<bench::Tool>& tools, const bench::Workpiec
   for (const bench::Tool& tool : bench::doubt_narrow_tools(tools, piece.thinnest())) {
     spdlog::warn(
         "{}:{:g} cuts {:.1f} mm wide, and the body is {:.1f} mm thick: the model is not exact for such cuts. "
-        "Its slope error counts as {:g} at least, so its cuts are shallower",
+        "The slope error of the tool counts as {:g} at least, so its cuts are shallower",
         tool.name, tool.radius, 2e3 * tool.radius, 1e3 * piece.thinnest(), tool.slope_error);
   }
 }

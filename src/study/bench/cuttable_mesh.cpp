@@ -53,14 +53,17 @@ std::array<Vector3, 3> corners_of(const mesh::Mesh& mesh, const mesh::Triangle& 
 
 }  // namespace
 
-CuttableMesh::CuttableMesh(mesh::Mesh mesh, const Side& side)
-    : mesh_(std::move(mesh)), side_(side), faces_(side_faces(mesh_, side)) {
-  const TrianglesAlong below(mesh_, faces_, side_.along);
+CuttableMesh::CuttableMesh(mesh::Mesh mesh, const Side& side) : mesh_(std::move(mesh)), side_(side) {
+  const std::vector<mesh::Triangle> faces = side_faces(mesh_, side);
+  pieces_ = std::make_unique<const SidePieces>(mesh_, faces, side);
+  const TrianglesAlong below(mesh_, faces, side_.along);
   const TrianglesAlong surface(mesh_, mesh_.outer_surface(), side_.along);
   for (Index node = 0; node < std::ssize(mesh_.nodes); ++node) {
     follow(node, below, surface);
   }
 }
+
+CuttableMesh::~CuttableMesh() = default;
 
 double CuttableMesh::thinnest() const {
   double least = std::numeric_limits<double>::infinity();
@@ -102,29 +105,13 @@ void CuttableMesh::follow(Index node, const TrianglesAlong& faces, const Triangl
   }
 }
 
-std::vector<double> CuttableMesh::depths_of(const std::vector<Cut>& cuts) const {
-  std::vector<double> volumes(mesh_.nodes.size(), 0.0);
-  std::vector<double> areas(mesh_.nodes.size(), 0.0);
-  for_each_piece(mesh_, faces_, side_, [&](const SidePiece& piece) {
-    const double volume = piece.area * mean_depth_of(cuts, piece.ends);
-    for (std::size_t k = 0; k < piece.nodes.size(); ++k) {
-      volumes[piece.nodes[k]] += piece.shares[k] * volume;
-      areas[piece.nodes[k]] += piece.shares[k] * piece.area;
-    }
-  });
-  for (std::size_t node = 0; node < volumes.size(); ++node) {
-    volumes[node] = areas[node] > 0 ? volumes[node] / areas[node] : 0.0;
-  }
-  return volumes;
-}
-
 mesh::Mesh CuttableMesh::with(const std::vector<Cut>& cuts) const {
   mesh::Mesh result = mesh_;
   if (cuts.empty()) {
     return result;
   }
   result.hash.clear();
-  const std::vector<double> depths = depths_of(cuts);
+  const Eigen::VectorXd depths = pieces_->depths_of(cuts);
   for (const Follower& follower : followers_) {
     double depth = 0.0;
     for (std::size_t k = 0; k < 3; ++k) {

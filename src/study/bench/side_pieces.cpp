@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <span>
 
 #include "idiophone/foundation/element/reference.hpp"
 #include "idiophone/solids/mesh/faces.hpp"
@@ -12,6 +14,14 @@ namespace idiophone::bench {
 namespace {
 
 constexpr int pieces = 16;  // along each edge of a face
+
+/// A piece of a side, and how the nodes around it share what is there.
+struct SidePiece {
+  std::array<double, 2> ends;      ///< m, along the side, ascending
+  double area = 0.0;               ///< m2, as it is seen from the side
+  std::span<const Index> nodes;    ///< of its face
+  std::span<const double> shares;  ///< [nodes] shape functions in its middle; their sum is 1
+};
 
 using PieceVisit = std::function<void(const SidePiece&)>;
 
@@ -107,8 +117,6 @@ void visit_triangle(const mesh::Mesh& mesh, const mesh::Triangle& triangle, cons
   }
 }
 
-}  // namespace
-
 void for_each_piece(const mesh::Mesh& mesh, const std::vector<mesh::Triangle>& faces, const Side& side,
                     const PieceVisit& visit) {
   switch (mesh.element.kind) {
@@ -123,6 +131,33 @@ void for_each_piece(const mesh::Mesh& mesh, const std::vector<mesh::Triangle>& f
       return;
   }
   element::unknown_kind();
+}
+
+}  // namespace
+
+SidePieces::SidePieces(const mesh::Mesh& mesh, const std::vector<mesh::Triangle>& faces, const Side& side) {
+  const auto nodes = static_cast<Eigen::Index>(mesh.nodes.size());
+  Eigen::VectorXd areas = Eigen::VectorXd::Zero(nodes);
+  std::vector<Eigen::Triplet<double>> areas_of_pieces;
+  for_each_piece(mesh, faces, side, [&](const SidePiece& piece) {
+    for (std::size_t k = 0; k < piece.nodes.size(); ++k) {
+      const double area = piece.shares[k] * piece.area;
+      areas_of_pieces.emplace_back(piece.nodes[k], static_cast<int>(ends_.size()), area);
+      areas[piece.nodes[k]] += area;
+    }
+    ends_.push_back(piece.ends);
+  });
+  Eigen::SparseMatrix<double, Eigen::RowMajor> of_pieces(nodes, std::ssize(ends_));
+  of_pieces.setFromTriplets(areas_of_pieces.begin(), areas_of_pieces.end());
+  const Eigen::VectorXd inverse = (areas.array() > 0).select(areas.cwiseInverse(), 0.0);
+  shares_ = inverse.asDiagonal() * of_pieces;
+}
+
+Eigen::VectorXd SidePieces::depths_of(const std::vector<Cut>& cuts) const {
+  Eigen::VectorXd depths(std::ssize(ends_));
+  std::ranges::transform(ends_, depths.begin(),
+                         [&](const std::array<double, 2>& ends) { return mean_depth_of(cuts, ends); });
+  return shares_ * depths;
 }
 
 }  // namespace idiophone::bench

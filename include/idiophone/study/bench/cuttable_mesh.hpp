@@ -2,6 +2,7 @@
 // The mesh of a body whose nodes move with cuts at one of its sides.
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "idiophone/solids/mesh/mesh.hpp"
@@ -10,15 +11,19 @@
 
 namespace idiophone::bench {
 
+class SidePieces;
 class TrianglesAlong;
 
 /// Nodes of the side move into the body by the mean depth of the cuts around them, weighted by the shape functions of
-/// the surface (for_each_piece()), so that the removed volume is right however narrow a cut is, and wherever. Nodes
+/// the surface (SidePieces), so that the removed volume is right however narrow a cut is, and wherever. Nodes
 /// between the side and the surface behind it move with them, the less the nearer they are to that surface.
 class CuttableMesh {
  public:
   /// @throws as side_faces()
   CuttableMesh(mesh::Mesh mesh, const Side& side);
+  ~CuttableMesh();
+  CuttableMesh(const CuttableMesh&) = delete;
+  CuttableMesh& operator=(const CuttableMesh&) = delete;
 
   [[nodiscard]] const mesh::Mesh& uncut() const { return mesh_; }
 
@@ -38,12 +43,11 @@ class CuttableMesh {
     double thickness;              ///< of the body at this node, m
   };
 
-  [[nodiscard]] std::vector<double> depths_of(const std::vector<Cut>& cuts) const;  ///< [nodes] m, at the side
   void follow(Index node, const TrianglesAlong& faces, const TrianglesAlong& surface);
 
   mesh::Mesh mesh_;
   Side side_;
-  std::vector<mesh::Triangle> faces_;  ///< of the side
+  std::unique_ptr<const SidePieces> pieces_;  ///< of the side
   std::vector<Follower> followers_;
 };
 
