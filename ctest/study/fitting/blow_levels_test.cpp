@@ -39,7 +39,8 @@ scene::Scene struck_bar(double force, double thickness = 0.01) {
 }
 
 double level_of(const scene::Scene& scene) {
-  return blow_levels(scene, "", {"ear"}, eigenmodes::MassMatrix::lumped).front();
+  return blow_levels(scene, "", {"ear"}, sound_maps::solve_solid(scene, 0, {.up_to = scene.audio.max_frequency}))
+      .front();
 }
 
 /// A search for the force of a blow that makes the bar's first mode no other.

@@ -43,6 +43,10 @@ void add_mass_properties(SoundMap& map, const motion::InitialState& properties) 
   map.centre = origin + moment / map.mass;
 }
 
+bool is_stretched(const scene::Body& body) {
+  return body.modal && body.modal->stretching_tolerance;
+}
+
 std::vector<std::vector<double>> shapes_of(std::vector<eigenmodes::Mode> modes) {
   std::vector<std::vector<double>> shapes;
   shapes.reserve(modes.size());
@@ -54,40 +58,51 @@ std::vector<std::vector<double>> shapes_of(std::vector<eigenmodes::Mode> modes) 
 
 }  // namespace
 
-SoundMap solid_map(const scene::Scene& scene, std::size_t body, const eigenmodes::Options& wanted,
-                   eigenmodes::Estimates estimates) {
-  const scene::Scene assembly = scene::assembly_of(scene, body);
-  const scene::Solids solids(assembly);
+SolvedSolid solve_solid(const scene::Scene& scene, std::size_t body, const eigenmodes::Options& wanted) {
+  SolvedSolid solved{.assembly = scene::assembly_of(scene, body), .options = wanted};
+  const scene::Solids solids(solved.assembly);
+  solved.options.align_double_modes = is_stretched(solids.bodies.front());
+  solved.meshes = mesh::read_meshes(solids.bodies);
+  solved.attachments = motion::attach(solids, solved.meshes);
+  solved.part = mesh::distribute(solved.meshes, MPI_COMM_SELF);
+  solved.found = eigenmodes::find_modes(solids, solved.part, solved.attachments, solved.options, MPI_COMM_SELF);
+  // A loss factor shifts each a little.
+  std::ranges::stable_sort(solved.found.modes, {}, &eigenmodes::Mode::frequency);
+  return solved;
+}
+
+SoundMap map_of(const scene::Scene& scene, SolvedSolid solved, eigenmodes::Estimates estimates) {
+  const scene::Solids solids(solved.assembly);
   const scene::Body& first = solids.bodies.front();
-  const bool is_stretched = first.modal && first.modal->stretching_tolerance;
-  eigenmodes::Options options = wanted;
-  options.align_double_modes = is_stretched;
   const bool is_alone = solids.joints.empty();
-  const std::vector<mesh::Mesh> meshes = mesh::read_meshes(solids.bodies);
-  const motion::Attachments attachments = motion::attach(solids, meshes);
-  const mesh::Part part = mesh::distribute(meshes, MPI_COMM_SELF);
+  const mesh::Part& part = solved.part;
   SoundMap map;
   add_facts(map, scene, solids.bodies);
   if (is_alone && why_not_scalable(first).empty()) {
-    map.scalable = scalable_modes(scene, first, meshes.front());
+    map.scalable = scalable_modes(scene, first, solved.meshes.front());
   }
-  add_mass_properties(map, motion::mass_properties(motion::FiniteElementDynamics(solids, part, attachments), part));
-  joints::ExposedSurface surface = joints::exposed_surface(part, joints::covered_triangles(solids, meshes));
+  const motion::FiniteElementDynamics dynamics(solids, part, solved.attachments);
+  add_mass_properties(map, motion::mass_properties(dynamics, part));
+  joints::ExposedSurface surface = joints::exposed_surface(part, joints::covered_triangles(solids, solved.meshes));
   for (const Index node : surface.nodes) {
     map.vertices.push_back(part.reference[node]);
   }
   map.triangles = std::move(surface.triangles);
-  eigenmodes::Modes found = eigenmodes::find_modes(solids, part, attachments, options, MPI_COMM_SELF);
-  std::ranges::stable_sort(found.modes, {}, &eigenmodes::Mode::frequency);  // a loss factor shifts each a little
-  add_modes(map, found.modes, surface.nodes);
-  if (is_stretched) {
-    map.stretching = eigenmodes::stretching_of(found, solids, part, attachments, *first.modal->stretching_tolerance);
+  add_modes(map, solved.found.modes, surface.nodes);
+  if (is_stretched(first)) {
+    map.stretching =
+        eigenmodes::stretching_of(solved.found, solids, part, solved.attachments, *first.modal->stretching_tolerance);
   }
   if (is_alone) {
-    map.mesh_error =
-        eigenmodes::mesh_errors(solids, meshes.front(), options.mass, shapes_of(std::move(found.modes)), estimates);
+    map.mesh_error = eigenmodes::mesh_errors(solids, solved.meshes.front(), solved.options.mass,
+                                             shapes_of(std::move(solved.found.modes)), estimates);
   }
   return map;
+}
+
+SoundMap solid_map(const scene::Scene& scene, std::size_t body, const eigenmodes::Options& wanted,
+                   eigenmodes::Estimates estimates) {
+  return map_of(scene, solve_solid(scene, body, wanted), estimates);
 }
 
 }  // namespace idiophone::sound_maps

@@ -8,12 +8,12 @@
 #include <functional>
 #include <iterator>
 #include <stdexcept>
+#include <utility>
 
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/deck/suggestion.hpp"
 #include "idiophone/instruments/sound_maps/blow.hpp"
 #include "idiophone/instruments/sound_maps/modal_radiation.hpp"
-#include "idiophone/instruments/sound_maps/solid_map.hpp"
 #include "idiophone/instruments/sound_maps/solid_radiation.hpp"
 #include "idiophone/scene/find_body.hpp"
 #include "idiophone/scene/still_receivers.hpp"
@@ -80,10 +80,9 @@ std::vector<sound_maps::Blow> blows_on(const scene::Scene& scene, std::size_t bo
 }
 
 /// As `idiophone map` makes it.
-sound_maps::SoundMap map_of(const scene::Scene& scene, std::size_t body, eigenmodes::MassMatrix mass) {
+sound_maps::SoundMap radiating_map(const scene::Scene& scene, sound_maps::SolvedSolid solved) {
   constexpr std::size_t rings_of_directions = 16;
-  sound_maps::SoundMap map = sound_maps::solid_map(scene, body, {.up_to = scene.audio.max_frequency, .mass = mass},
-                                                   eigenmodes::Estimates::none);
+  sound_maps::SoundMap map = sound_maps::map_of(scene, std::move(solved), eigenmodes::Estimates::none);
   map.sphere = sound_maps::sphere_of_directions(rings_of_directions);
   sound_maps::add_radiation(map, scene, sound_maps::solid_radiation(map, scene.radiation, {}).radiation, MPI_COMM_SELF);
   return map;
@@ -92,11 +91,10 @@ sound_maps::SoundMap map_of(const scene::Scene& scene, std::size_t body, eigenmo
 }  // namespace
 
 std::vector<double> blow_levels(const scene::Scene& scene, const std::string& body,
-                                const std::vector<std::string>& listeners, eigenmodes::MassMatrix mass) {
+                                const std::vector<std::string>& listeners, sound_maps::SolvedSolid solved) {
   require_listeners(scene, listeners);
-  const std::size_t struck = scene::find_body(scene.bodies, body);
-  const std::vector<sound_maps::Blow> blows = blows_on(scene, struck);
-  const sound_maps::SoundMap map = map_of(scene, struck, mass);
+  const std::vector<sound_maps::Blow> blows = blows_on(scene, scene::find_body(scene.bodies, body));
+  const sound_maps::SoundMap map = radiating_map(scene, std::move(solved));
   const auto samples = static_cast<std::size_t>(std::lround(scene.time.duration * scene.audio.rate));
   std::vector<double> found;
   for (const std::string& name : listeners) {

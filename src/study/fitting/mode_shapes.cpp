@@ -48,9 +48,8 @@ MeshedModes meshed_modes(const scene::Solids& solids, const eigenmodes::Options&
 
 }  // namespace
 
-ModeShapes mode_shapes(const scene::Solids& solids, const eigenmodes::Options& options) {
+ModeShapes shapes_of(const mesh::Mesh& mesh, const std::vector<eigenmodes::Mode>& modes) {
   ModeShapes result;
-  const auto [mesh, modes] = meshed_modes(solids, options);
   for (const eigenmodes::Mode& mode : modes) {
     result.frequencies.push_back(mode.frequency);
     result.decay_times.push_back(mode.decay_time);
@@ -59,6 +58,11 @@ ModeShapes mode_shapes(const scene::Solids& solids, const eigenmodes::Options& o
   }
   result.places = relative_places(mesh.nodes);
   return result;
+}
+
+ModeShapes mode_shapes(const scene::Solids& solids, const eigenmodes::Options& options) {
+  const auto [mesh, modes] = meshed_modes(solids, options);
+  return shapes_of(mesh, modes);
 }
 
 std::vector<double> mesh_errors_of(const scene::Solids& solids, const eigenmodes::Options& options) {

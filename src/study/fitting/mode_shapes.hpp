@@ -6,6 +6,7 @@
 
 #include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
+#include "idiophone/solids/mesh/mesh.hpp"
 
 namespace idiophone::fitting {
 
@@ -16,6 +17,9 @@ struct ModeShapes {
   std::vector<double> levels = {};      ///< [TuningOptions::levels] of the blows, dB; empty if none is wanted
   Eigen::Matrix3Xd places;              ///< [3 x nodes] of the nodes in the body's box, 0 to 1 along each side
 };
+
+/// Of modes that were found on a mesh.
+[[nodiscard]] ModeShapes shapes_of(const mesh::Mesh& mesh, const std::vector<eigenmodes::Mode>& modes);
 
 /// The lowest modes of a body, freshly meshed. On this rank alone.
 /// @throws what mesh::read_mesh() and eigenmodes::find_modes() throw

@@ -23,9 +23,13 @@ scene::Solids body_of(const scene::Scene& scene, const std::string& body) {
   return scene::Solids(scene).alone(scene::find_body(scene.bodies, body));
 }
 
+bool are_enough(const ModeShapes& lowest, int highest, double up_to) {
+  return std::ssize(lowest.frequencies) >= highest + more_modes && lowest.frequencies.back() > up_to;
+}
+
 ModeShapes shapes_up_to(int highest, const scene::Solids& body, eigenmodes::MassMatrix mass, double up_to) {
   ModeShapes lowest = mode_shapes(body, {.count = highest + more_modes, .mass = mass});
-  return lowest.frequencies.back() > up_to ? lowest : mode_shapes(body, {.up_to = up_to, .mass = mass});
+  return are_enough(lowest, highest, up_to) ? lowest : mode_shapes(body, {.up_to = up_to, .mass = mass});
 }
 
 TrackedModes follow(const TrackedModes& known, ModeShapes body) {

@@ -23,7 +23,12 @@ struct TrackedModes {
 /// @throws std::runtime_error for a name that no body has
 [[nodiscard]] scene::Solids body_of(const scene::Scene& scene, const std::string& body);
 
-/// The modes of a body up to the highest one to follow, and some more, because their order may change.
+/// Whether these are the modes up to the highest one to follow, and some more, because their order may change.
+/// @param highest  its number, from 1 on
+/// @param up_to    Hz; all modes up to there are among them
+[[nodiscard]] bool are_enough(const ModeShapes& lowest, int highest, double up_to);
+
+/// The modes of a body up to the highest one to follow, and some more.
 /// @param highest  its number, from 1 on
 /// @param up_to    Hz; all modes up to there are among them
 /// @throws what mode_shapes() throws

@@ -6,9 +6,11 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "blow_levels.hpp"
 #include "halton_point.hpp"
+#include "idiophone/scene/find_body.hpp"
 #include "least_squares.hpp"
 #include "tracked_modes.hpp"
 #include "tuning_wishes.hpp"
@@ -164,13 +166,27 @@ class Search {
   ModeShapes mode_shapes_at(const VectorXd& point) {
     ++solves_;
     const scene::Scene scene = scene_of_(values_at(point));
-    ModeShapes shapes = shapes_up_to(std::ranges::max(wishes_.numbers()), body_of(scene, options_.body), options_.mass,
-                                     wishes_.up_to());
     if (!options_.levels.empty()) {
-      std::vector<std::string> listeners;
-      std::ranges::transform(options_.levels, std::back_inserter(listeners), &WantedLevel::listener);
-      shapes.levels = blow_levels(scene, options_.body, listeners, options_.mass);
+      return sounding_shapes(scene);
     }
+    return shapes_up_to(std::ranges::max(wishes_.numbers()), body_of(scene, options_.body), options_.mass,
+                        wishes_.up_to());
+  }
+
+  /// With the levels of blows. The modes that sound are those to follow, too, where they reach far enough.
+  [[nodiscard]] ModeShapes sounding_shapes(const scene::Scene& scene) const {
+    const int highest = std::ranges::max(wishes_.numbers());
+    const scene::Solids alone = body_of(scene, options_.body);
+    std::vector<std::string> listeners;
+    std::ranges::transform(options_.levels, std::back_inserter(listeners), &WantedLevel::listener);
+    sound_maps::SolvedSolid solved =
+        sound_maps::solve_solid(scene, scene::find_body(scene.bodies, options_.body),
+                                {.up_to = scene.audio.max_frequency, .mass = options_.mass});
+    ModeShapes shapes = shapes_of(solved.meshes.front(), solved.found.modes);
+    if (!are_enough(shapes, highest, wishes_.up_to())) {
+      shapes = shapes_up_to(highest, alone, options_.mass, wishes_.up_to());
+    }
+    shapes.levels = blow_levels(scene, options_.body, listeners, std::move(solved));
     return shapes;
   }
 
