@@ -52,7 +52,7 @@ elseif(IDIOPHONE_WEBASSEMBLY STREQUAL ON)
   message(FATAL_ERROR "IDIOPHONE_WEBASSEMBLY is ON, but clang makes no WebAssembly here: scripts/install_dependencies webassembly")
 else()
   file(CONFIGURE OUTPUT ${code} CONTENT "")
-  message(NOTICE "Without WebAssembly (IDIOPHONE_WEBASSEMBLY is ${IDIOPHONE_WEBASSEMBLY}): the Sonic Explorer has no bow, lets nothing fall, and computes "
+  message(NOTICE "Without WebAssembly (IDIOPHONE_WEBASSEMBLY is ${IDIOPHONE_WEBASSEMBLY}): the Sonic Explorer has no bow, lets nothing fall, has small vibrations only, and computes "
     "modes in JavaScript, far fewer in real time. Its packages: scripts/install_dependencies webassembly")
 endif()
 

@@ -75,6 +75,17 @@ class Waves(program.TestCase):
         self.require_status(job, program.WRONG_DECK)
         self.assertIn("a recording keeps its motion", job.stderr)
 
+    def test_a_body_that_is_driven_whole_moves_the_air_that_acts_on_bodies(self):
+        settings = ("--set", "bodies.board=null", "--set", "time={duration: 0.03, steps_per_sample: 20}")
+        levels = []
+        for waves in ("{model: waves, cell: 0.02}", "{model: waves, cell: 0.02, back: true}"):
+            self.require_status(program.run("shadow", self.output / "driven", *settings, "--set", f"radiation={waves}"),
+                                program.FINISHED)
+            sound = program.contents(self.output / "driven/shadow.h5")["audio/ear"]
+            levels.append((sound.astype(float) ** 2).mean() ** 0.5)
+        self.assertGreater(levels[0], 1e-3)
+        self.assertAlmostEqual(levels[1] / levels[0], 1, delta=0.02)
+
     def test_the_check_reports_the_grid(self):
         job = program.idiophone("check", program.deck("simple"), *WAVES)
         self.require_status(job, program.FINISHED)

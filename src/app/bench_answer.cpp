@@ -89,8 +89,9 @@ void print_distances(const BenchAnswer& answer) {
 /// "that of tap 1, moved by -3.20 cents by 2 cuts, +- 0.41"
 std::string origin_of(const BenchPartial& partial, const bench::Past& past) {
   const std::size_t cuts = past.cuts.size() - past.taps[partial.carried->tap].cuts;
-  return fmt::format("that of tap {}, moved by {:+.2f} cents by {} cut{}, +- {:.2f}", partial.carried->tap + 1,
-                     partial.carried->moved, cuts, cuts == 1 ? "" : "s", partial.line->uncertainty);
+  const std::string cause = cuts == 0 ? "" : fmt::format(" by {} cut{}", cuts, cuts == 1 ? "" : "s");
+  return fmt::format("that of tap {}, moved by {:+.2f} cents{}, +- {:.2f}", partial.carried->tap + 1,
+                     partial.carried->moved, cause, partial.line->uncertainty);
 }
 
 void print_carried(const BenchAnswer& answer) {
@@ -211,10 +212,11 @@ std::string advice(const BenchAnswer& answer) {
         return "the cuts that the slopes allow pass a target in the solved body, even where they are as shallow as "
                "--depth-error: choose other tools, or another side";
       }
-      return "any cut may pass a target: " +
-             (answer.session.renewal.empty()
-                  ? "give a smaller --depth-error, a tool with a smaller radius, or more exact measurements"
-                  : "a line is that of an earlier tap. " + answer.session.renewal);
+      if (!plan.is_measured && !answer.session.renewal.empty()) {
+        return "a line that is carried over is too uncertain. " + answer.session.renewal;
+      }
+      return "any cut may pass a target: give a smaller --depth-error, a tool with a smaller radius, or more exact "
+             "measurements";
     case Verdict::out_of_reach:
       break;
   }

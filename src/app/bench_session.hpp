@@ -31,7 +31,7 @@ struct BenchSession {
   std::vector<bench::Cut> cuts;           ///< that were made, as deep as they are
   bench::Workpiece::Solved body;          ///< with them
   std::string doubt;                      ///< which line may be that of another mode, as a sentence; empty: none
-  std::string renewal;              ///< the tap that would have a line that is carried over, as a sentence; empty: none
+  std::string renewal;  ///< asks for a tap that renews a line which is carried over, as a sentence; empty: none
   std::optional<Vector3> decisive;  ///< where such a tap is, or one that ends the doubt, m
 };
 

@@ -4,9 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <nlohmann/json.hpp>
 
-#include "shared_link.hpp"
+#include "shared_network.hpp"
 
 namespace idiophone::advice {
 namespace {
@@ -63,17 +64,29 @@ TEST(RankSteps, PairsOnTwoHostsShareTheirBandwidth) {
   EXPECT_NEAR(step_time(pairs, hosts).whole, 6e-6 + 2e-6 + 20e-6 + 20e-6, 1e-12);  // 10 us alone
 }
 
-TEST(SharedLink, AMessageGetsAllThatOthersLeave) {
-  SharedLink<char> link(1000.0);
-  link.enter(0.0, 1000.0, 'a');
-  link.enter(0.5, 1000.0, 'b');
-  EXPECT_NEAR(link.next_end(), 1.5, 1e-12);  // half of `a` is left, at half the bandwidth
-  EXPECT_EQ(link.leave(), 'a');
-  EXPECT_NEAR(link.next_end(), 2.0, 1e-12);
-  EXPECT_EQ(link.leave(), 'b');
-  EXPECT_TRUE(link.empty());
-  link.enter(3.0, 500.0, 'c');
-  EXPECT_NEAR(link.next_end(), 3.5, 1e-12);
+// 1000 bytes/s
+TEST(SharedNetwork, AMessageGetsAllThatOthersLeave) {
+  SharedNetwork hosts(2, 1000.0);
+  EXPECT_EQ(hosts.next_end(), std::numeric_limits<double>::infinity());
+  hosts.enter(0.0, 0, 1, 1000.0, {.receiver = 1});
+  hosts.enter(0.5, 0, 1, 1000.0, {.receiver = 2});
+  EXPECT_NEAR(hosts.next_end(), 1.5, 1e-12);  // half of the first is left, at half the bandwidth
+  EXPECT_EQ(hosts.leave().receiver, 1);
+  EXPECT_NEAR(hosts.next_end(), 2.0, 1e-12);
+  EXPECT_EQ(hosts.leave().receiver, 2);
+  hosts.enter(3.0, 1, 0, 500.0, {.receiver = 3});
+  hosts.enter(3.0, 0, 1, 600.0, {.receiver = 4});  // both ways at once
+  EXPECT_NEAR(hosts.next_end(), 3.5, 1e-12);
+}
+
+TEST(SharedNetwork, AMessageTravelsWithTheSmallerPart) {
+  SharedNetwork hosts(4, 1000.0);
+  hosts.enter(0.0, 0, 1, 1000.0, {.receiver = 1});
+  hosts.enter(0.0, 0, 2, 1000.0, {.receiver = 2});
+  hosts.enter(0.0, 3, 2, 500.0, {.receiver = 3});
+  EXPECT_NEAR(hosts.next_end(), 1.0, 1e-12);  // half of what host 2 receives
+  EXPECT_EQ(hosts.leave().receiver, 3);
+  EXPECT_NEAR(hosts.next_end(), 2.0, 1e-12);  // half of what host 0 sends, though host 2 could receive more
 }
 
 }  // namespace

@@ -326,12 +326,16 @@ TEST(Plan, EndsWhereThePartialsAreInTune) {
 }
 
 TEST(Plan, AsksForAnotherTapWhereALineThatIsCarriedOverMayBeOutOfTune) {
-  const auto verdict_with = [](double uncertainty) {
-    const Partials partials{Eigen::Vector2d(2.5, -2.5), Eigen::Vector2d(0.5, uncertainty), false, {false, true}};
-    return plan_cuts(straight(bar()), both_tools, partials, {}).verdict;
+  const auto plan_with = [](double error, double uncertainty) {
+    const Partials partials{Eigen::Vector2d(error, -error), Eigen::Vector2d(0.5, uncertainty), false, {false, true}};
+    return plan_cuts(straight(bar()), both_tools, partials, {});
   };
-  EXPECT_EQ(verdict_with(1.0), Verdict::in_tune);
-  EXPECT_EQ(verdict_with(4.0), Verdict::not_safe);
+  EXPECT_EQ(plan_with(2.5, 1.0).verdict, Verdict::in_tune);
+  for (const double error : {2.5, 2.95}) {  // cuts that lower both could bring one nearer, and the other out of tune
+    const Plan plan = plan_with(error, 4.0);
+    EXPECT_EQ(plan.verdict, Verdict::not_safe);
+    EXPECT_FALSE(plan.is_measured);
+  }
 }
 
 // At all places that lower the first partial, twice the error of the depth throws it by more than a quarter of its

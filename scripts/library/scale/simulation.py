@@ -2,13 +2,13 @@
 
 import dataclasses
 import json
+import math
 import pathlib
 import shutil
 import subprocess
 
 HERE = pathlib.Path(__file__).resolve().parent
-PERIODS = 2  # that are simulated; in each, ranks wait once before they compute
-STEPS = 8  # where they never do
+AT_LEAST = 64  # steps that count, in whole periods; in each, ranks wait once before they compute
 
 
 def missing():
@@ -59,7 +59,8 @@ def numbers(cluster, steps):
     yield from (cluster.ranks_on_host, cluster.levels, cluster.hosts_on_switch)
     yield from (*dataclasses.astuple(cluster.between_hosts), *dataclasses.astuple(cluster.in_host))
     full_wait = steps["steps_per_full_wait"]
-    yield from (PERIODS * full_wait or STEPS, full_wait, len(steps["ranks"]))
+    period = max(1, full_wait)
+    yield from (2 * math.ceil(AT_LEAST / period) * period, full_wait, len(steps["ranks"]))
     for rank in steps["ranks"]:
         yield from (rank["computing_seconds"], rank["inner_seconds"], len(rank["received"]))
         for message in rank["received"]:

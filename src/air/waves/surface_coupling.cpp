@@ -42,8 +42,8 @@ void SurfaceCoupling::add_triangle(const Subdomain& subdomain, const Obstruction
   }
 }
 
-/// Two triangles with a node in common feel each other's velocity. These are the sums of the rows of that symmetric
-/// matrix, so a diagonal matrix of them is at least as large.
+/// Two corners whose triangles have a node in common feel each other's velocity. These are the sums of the rows of that
+/// symmetric matrix, so a diagonal matrix of them is at least as large.
 void SurfaceCoupling::find_resistances(std::size_t moving, std::size_t nodes) {
   std::vector<float> half_step(nodes);  // what a velocity of 1/(rho c) adds to the pressures
   add(std::vector<float>(3 * moving, 0.5F), half_step);

@@ -44,8 +44,8 @@ class Reader {
   std::size_t at_ = 0;
 };
 
-/// Numbers: A [terms x modes], T [modes x modes], and of each pair of modes that a term of H has: the place in H
-/// [terms x modes x modes] and the number there.
+/// Numbers: A [terms x modes], T [modes x modes], and of H each pair of modes that is not zero: its places in [terms x
+/// modes x modes], [pairs], and its numbers, [pairs].
 resonators::StretchedModes next_stretching(Reader& reader, std::size_t modes, std::size_t terms, std::size_t pairs,
                                            int rate) {
   const auto linear = reader.next(terms * modes), rotation = reader.next(modes * modes);
@@ -110,6 +110,7 @@ PageBody* make_stretched_body(std::size_t modes, std::size_t channels, int rate,
 }
 
 /// Numbers: frequency and decay [modes], pressure [channels x modes x 2].
+/// @param size  of the body over that of its map
 IDIOPHONE_EXPORT("tune")
 void tune(PageBody* body, std::size_t modes, std::size_t channels, double size) {
   Reader reader;

@@ -21,7 +21,7 @@ struct PageTuning {
   std::span<const double> frequency;  ///< [modes] Hz
   std::span<const double> decay;      ///< [modes] 1/s
   std::span<const double> pressure;   ///< [channels x modes x 2] real and imaginary part, Pa for 1 m sqrt(kg)/s
-  double size = 1.0;                  ///< of the body over that for which its stretching is
+  double size = 1.0;                  ///< of the body over the size for which its stretching was computed
 };
 
 class PageBody {

@@ -149,9 +149,9 @@ void ResonatorBank::add_forces(std::span<const ContactSide> sides, const PointCo
   }
 }
 
-/// Takes away what the modes do in a sample when they only follow the force of stretching.
+/// Leaves out of the sound what the modes do in a sample while they only follow the force of stretching.
 template <std::size_t outputs>
-void ResonatorBank::take_sound_of_following(const BodyInContact& body, std::size_t sample) const {
+void ResonatorBank::leave_out_following(const BodyInContact& body, std::size_t sample) const {
   if (!stretching_) {
     return;
   }
@@ -189,7 +189,7 @@ void advance_together(std::span<const BodyInContact> bodies, PointContacts& cont
     for (std::size_t i = 0; i < bodies.size(); ++i) {
       bodies[i].bank->add_forces(contacts.sides(i), contacts);
       with_outputs(bodies[i].outputs,
-                   [&]<std::size_t outputs>() { bodies[i].bank->take_sound_of_following<outputs>(bodies[i], sample); });
+                   [&]<std::size_t outputs>() { bodies[i].bank->leave_out_following<outputs>(bodies[i], sample); });
     }
   }
   for (std::size_t i = 0; i < bodies.size(); ++i) {

@@ -6,10 +6,11 @@ namespace idiophone::bodies {
 
 namespace {
 
+/// Driven bodies move the air, even where nothing of them is free.
 std::vector<bool> moving_bodies(const Preparation& ready) {
   std::vector<bool> moving;
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
-    moving.push_back(!is_held_everywhere(ready, b));
+    moving.push_back(!is_held_everywhere(ready, b) || !ready.scene.bodies[b].driven.empty());
   }
   return moving;
 }

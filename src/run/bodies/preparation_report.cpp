@@ -131,7 +131,7 @@ void report(const Preparation& ready) {
   for (const joints::MeshedJoint& joint : ready.attachments.joints) {
     report_joint(ready.scene.joints[joint.joint], joint);
   }
-  if (ready.scene.radiation.grid.back) {
+  if (ready.scene.radiation.grid.back && std::isfinite(lightest_surface(ready))) {
     spdlog::info("air acts on the bodies: their lightest surface, {:.3g} kg/m2, lowers the largest step to {:.4g} s",
                  lightest_surface(ready), stable_step_in_air(ready));
   }

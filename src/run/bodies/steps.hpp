@@ -8,10 +8,11 @@
 
 namespace idiophone::bodies {
 
-/// Whether nothing of a body can move.
+/// Whether all of a body of finite elements is fixed or driven, so that nothing limits its step.
 [[nodiscard]] bool is_held_everywhere(const Preparation& ready, std::size_t body);
 
-/// Least mass of the surface nodes over their areas, of bodies that move, kg/m2; infinity where none does.
+/// Least mass of the surface nodes over their areas, of bodies that are not held everywhere, kg/m2; infinity where
+/// all are.
 [[nodiscard]] double lightest_surface(const Preparation& ready);
 
 /// The largest stable step of bodies that feel the resistance of the air, s: dt/stable + r dt/(2 m) <= 1 suffices for

@@ -7,14 +7,14 @@
 
 #include "idiophone/study/advice/network.hpp"
 #include "idiophone/study/advice/rank_steps.hpp"
-#include "shared_link.hpp"
+#include "shared_network.hpp"
 
 namespace idiophone::advice {
 
 /// In each step, a rank computes what its messages need, sends one to each neighbour, computes the inner part, and
 /// waits for the messages of all neighbours. In one of steps_per_full_wait steps, and always in shared memory, it waits
-/// before the inner part. A message has an overhead at both ends, which is processor time. Those that a host receives
-/// share its bandwidth.
+/// before the inner part. A message has an overhead at both ends, which is processor time. Messages between hosts share
+/// the bandwidth of these.
 class StepReplay {
  public:
   /// The steps must outlive it. Throws std::out_of_range for a sender that is no rank.
@@ -37,44 +37,34 @@ class StepReplay {
     std::vector<Outgoing> sent;
     int step = 0;
     bool is_waiting = false;
-    std::array<int, 2> crossed{};  // links by messages of this step and of the next: a neighbour is at most one ahead
+    std::array<int, 2> arrived{};  // messages of this step and of the next: a neighbour is at most one ahead
   };
-  struct Crossing {
-    int receiver, step;  // of the message
-  };
-  enum class Kind { send, wait, enter, leave, arrive };
+  enum class Kind { send, wait, enter, arrive };
   struct Event {
     double time;  // s
     long order;   // in which events of one time were scheduled
     Kind kind;
-    int index;  // of the rank that sends or waits, or of the link
-    Crossing message;
-    double bytes;                               // of a message that enters
-    int changes;                                // of the link, that `leave` knows
+    int rank;  // that sends, waits, or has sent the message
+    SharedNetwork::Message message;
+    double bytes;                               // of a message that leaves the host
     bool operator<(const Event& other) const {  // the queue has the largest first
       return time != other.time ? time > other.time : order > other.order;
     }
   };
-  struct Link {
-    SharedLink<Crossing> shared;
-    int changes = 0;
-  };
 
-  void schedule(double time, Kind kind, int index, Crossing message = {}, double bytes = 0.0, int changes = 0);
+  void schedule(double time, Kind kind, int rank, SharedNetwork::Message message = {}, double bytes = 0.0);
   void play(const Event& event);
   void start_step(int rank, double time);
   void send(int rank, double time);
-  void cross(Crossing message, double time);
+  void arrive(SharedNetwork::Message message, double time);
   void end_step_if_ready(int rank, double time);
-  void schedule_leave(int link);
   [[nodiscard]] bool waits_at_once(int step) const;
-  [[nodiscard]] int link_from(int rank) const { return 2 * (rank / network_.ranks_on_host); }
-  [[nodiscard]] int link_to(int rank) const { return link_from(rank) + 1; }
+  [[nodiscard]] int host_of(int rank) const { return rank / network_.ranks_on_host; }
 
   const RankSteps& steps_;
   Network network_;
   std::vector<Rank> ranks_;
-  std::vector<Link> links_;  // from and to each host
+  SharedNetwork between_hosts_;
   std::priority_queue<Event> events_;
   std::vector<double> ends_;
   long scheduled_ = 0;

@@ -62,7 +62,9 @@ class Planner {
 
   Plan plan() {
     plan_.unreachable = VectorXd::Zero(plan_.errors.size());
-    if (certainty_.is_in_tune(plan_.errors) && certainty_.is_measured()) {
+    plan_.is_measured = certainty_.is_measured();
+    if (certainty_.is_in_tune(plan_.errors)) {
+      plan_.verdict = plan_.is_measured ? Verdict::in_tune : Verdict::not_safe;
       return std::move(plan_);
     }
     plan_.unreachable = unreachable_from(plan_.errors);

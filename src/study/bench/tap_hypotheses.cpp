@@ -70,15 +70,15 @@ TapHypothesis extended(TapHypothesis known, const Extension& extension, const Ex
 
 }  // namespace
 
-TapHypotheses::TapHypotheses(Eigen::Index unknowns)
-    : hypotheses_{{VectorXd::Zero(unknowns), Eigen::MatrixXd::Zero(unknowns, unknowns), 0.0, {}}} {}
-
 Pitch TapHypothesis::pitch_of(std::size_t mode, const ExpectedTap& expected) const {
   const auto row = static_cast<Eigen::Index>(mode);
   const Eigen::RowVectorXd slopes = expected.slopes.row(row);
   return {expected.cents[row] + slopes.dot(unknowns),
           std::sqrt(std::max(0.0, slopes.dot(covariance * slopes.transpose())))};
 }
+
+TapHypotheses::TapHypotheses(Eigen::Index unknowns)
+    : hypotheses_{{VectorXd::Zero(unknowns), Eigen::MatrixXd::Zero(unknowns, unknowns), 0.0, {}}} {}
 
 void TapHypotheses::hear(std::span<const Line> lines, const ExpectedTap& expected) {
   for (TapHypothesis& hypothesis : hypotheses_) {

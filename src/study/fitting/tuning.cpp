@@ -176,7 +176,7 @@ class Search {
   /// With the levels of blows. The modes that sound are those to follow, too, where they reach far enough.
   [[nodiscard]] ModeShapes sounding_shapes(const scene::Scene& scene) const {
     const int highest = std::ranges::max(wishes_.numbers());
-    const scene::Solids alone = body_of(scene, options_.body);
+    const scene::Solids alone = body_of(scene, options_.body);  // refuses joints: the modes below are those of one mesh
     std::vector<std::string> listeners;
     std::ranges::transform(options_.levels, std::back_inserter(listeners), &WantedLevel::listener);
     sound_maps::SolvedSolid solved =

@@ -23,8 +23,9 @@ struct ForceShare {
                                        ///< a whole
 };
 
-/// The largest resistance of a share, over its area: half a step where the volume of a part is the least that its open
-/// areas allow, and these are not smaller than its surface. Pockets narrower than a cell can have more.
+/// The largest resistance of a share, over its area, all corners together: half a step where the volume of a part is
+/// the least that its open areas allow, and these are not smaller than its surface. Pockets narrower than a cell can
+/// have more.
 /// @param courant  c dt/h
 [[nodiscard]] constexpr double largest_resistance(double courant) {
   return courant / 2.0 / least_volume(courant);
@@ -39,7 +40,7 @@ class SurfaceCoupling {
   SurfaceCoupling(const Subdomain& subdomain, const Obstruction& obstruction, std::size_t moving,
                   const CutCells& cut_cells, double courant);
 
-  /// What SurfaceSources::add() does for constant velocities.
+  /// Does what SurfaceSources::add() does where all corners of a triangle have one velocity.
   /// @param change   [moving x 3 corners] of rho c v_n in a step, Pa
   /// @param sources  [nodes] overwritten, Pa per step
   void add(std::span<const float> change, std::span<float> sources) const;

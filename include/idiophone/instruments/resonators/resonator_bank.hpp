@@ -119,7 +119,7 @@ class ResonatorBank {
   void stretch(std::span<ContactSide> sides);
   void add_forces(std::span<const ContactSide> sides, const PointContacts& contacts);
   template <std::size_t outputs>
-  void take_sound_of_following(const BodyInContact& body, std::size_t sample) const;
+  void leave_out_following(const BodyInContact& body, std::size_t sample) const;
   template <std::size_t outputs>
   void ring_all(std::span<const ModeGroup> gains, std::span<double> sound);
   template <std::size_t outputs>

@@ -19,6 +19,7 @@ struct LoadedTriangle {
   std::shared_ptr<const Eigen::Matrix3Xd> shapes;  ///< [3 corners x nodes] see element::linear_part()
 };
 
+/// Those that a rank needs.
 struct LoadedTriangles {
   std::vector<Index> numbers;             ///< global, ascending
   std::vector<Index> places;              ///< [numbers] among those of all ranks, ascending likewise
@@ -27,7 +28,7 @@ struct LoadedTriangles {
 };
 
 /// The triangles of all faces that have a node which this rank owns. Collective.
-/// @param moving  [bodies] which are wanted; a body that is held everywhere feels nothing
+/// @param moving  [bodies] which are wanted; one that is fixed everywhere neither moves the air nor feels it
 [[nodiscard]] LoadedTriangles loaded_triangles(const mesh::Part& part, const std::vector<bool>& moving,
                                                MPI_Comm communicator);
 

@@ -10,7 +10,7 @@ namespace idiophone::advice {
 struct Network {
   double latency = 2e-6;          ///< from the call that sends a message to the end of the one that receives it, s
   double overhead = 3e-7;         ///< of it, processor time at each end, s
-  double bandwidth = 1e10;        ///< of a host, bytes/s
+  double bandwidth = 1e10;        ///< of a host in each direction, bytes/s
   int ranks_on_host = 1;          ///< they exchange through its memory: ranks 0 to n-1, n to 2n-1, ...
   bool is_shared_memory = false;  ///< all ranks run on one machine: then no work is done during the exchange
 };

@@ -28,7 +28,7 @@ enum class Verdict {
   in_tune,      ///< no cut is needed
   ambiguous,    ///< a line may be that of another mode
   cut,          ///< make the cuts, and tap again
-  not_safe,     ///< any cut may pass a target
+  not_safe,     ///< any cut may pass a target, or a line that is carried over is too uncertain
   out_of_reach  ///< no removal reaches the targets
 };
 
@@ -47,6 +47,7 @@ struct Plan {
   std::vector<Visit> visits = {};    ///< the cuts to make now, and then those of each next visit if each tap gives what
                                      ///< is expected; up to the target, to where no cut is safe, to
                                      ///< the end of the model, or to as many as are planned
+  bool is_measured = true;           ///< false where a line that is carried over is too uncertain
   bool is_settled = true;            ///< false where slopes allow cuts, but the solved body refuses them
   Eigen::VectorXd unreachable = {};  ///< [partials] errors that the best cuts, each up to half of the body's thickness,
                                      ///< leave

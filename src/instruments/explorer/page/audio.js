@@ -93,7 +93,7 @@ class Sound {
   async begin() {
     const context = new AudioContext({latencyHint: "interactive"}), node = await resonatorsIn(context, []);
     node.onprocessorerror = () => this.end(context);
-    node.port.onmessage = ({data: {turned}}) => this.tell(`The blow on ${bodies[turned].name} is so strong that its parts turn by more than ` +
+    node.port.onmessage = ({data: {turned}}) => this.tell(`${bodies[turned].name} vibrates so strongly that its parts turn by more than ` +
       `${page.largest_rotation} rad: its pitch may be wrong by ten cents.`);
     this.volume = new GainNode(context, {gain: this.gain});
     this.analyser = new AnalyserNode(context, {fftSize: 8192, smoothingTimeConstant: 0.3});
