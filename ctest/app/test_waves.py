@@ -81,7 +81,7 @@ class Waves(program.TestCase):
         for waves in ("{model: waves, cell: 0.02}", "{model: waves, cell: 0.02, back: true}"):
             self.require_status(program.run("shadow", self.output / "driven", *settings, "--set", f"radiation={waves}"),
                                 program.FINISHED)
-            sound = program.contents(self.output / "driven/shadow.h5")["audio/ear"]
+            sound = program.contents(self.output / "driven/shadow.h5")["audio/ear"][80:]  # the wave of the start is over
             levels.append((sound.astype(float) ** 2).mean() ** 0.5)
         self.assertGreater(levels[0], 1e-3)
         self.assertAlmostEqual(levels[1] / levels[0], 1, delta=0.02)
