@@ -53,7 +53,7 @@ class SharedNetwork {
 
   int way_of(int from, int to);
   static void settle(Way& way, double time);
-  void schedule(int way);
+  void schedule(int number);
   void share_again(double time, int from, int to);
 
   double bandwidth_;
