@@ -41,11 +41,11 @@ if(TARGET idiophone_lv2)
   idiophone_app_test(jalv)
   set_tests_properties(app.jalv PROPERTIES RESOURCE_LOCK jackd)
 endif()
-# What tests of web pages need of npm. A browser waits more than it computes, so such a test counts as one process.
+# What tests of web pages need of npm. A browser has several processes, so two such tests at once are enough.
 add_test(NAME app.web_modules COMMAND /usr/bin/python3 ${CMAKE_CURRENT_SOURCE_DIR}/app/web.py)
 set_tests_properties(app.web_modules PROPERTIES FIXTURES_SETUP web_modules COST 100 ENVIRONMENT "${IDIOPHONE_APP_ENVIRONMENT}")
 set_tests_properties(app.explore app.explorer_page app.made_bodies app.falling app.drop app.abx app.bench app.report app.site app.evolve_page app.gltf app.explorer_large
-  PROPERTIES FIXTURES_REQUIRED web_modules COST 80)
+  PROPERTIES FIXTURES_REQUIRED web_modules PROCESSORS 2 COST 80)
 
 # A short form of tools/torment, always with the same trials.
 add_test(NAME app.torment COMMAND ${PROJECT_SOURCE_DIR}/tools/torment --minutes 0.25 --seed 1 --slowness 4

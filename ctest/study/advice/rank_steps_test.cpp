@@ -54,6 +54,12 @@ TEST(RankSteps, RanksOfAHostShareItsMemoryAndItsBandwidth) {
               1e-12);
 }
 
+TEST(RankSteps, AMessageInOneDirectionDelaysNobodyElse) {
+  RankSteps steps = chain({10e-6, 20e-6}, 0);
+  steps.ranks[0].received.clear();  // it runs ahead of the other one
+  EXPECT_NEAR(step_time(steps, network).whole, 20e-6 + 2e-6, 1e-12);
+}
+
 TEST(RankSteps, PairsOnTwoHostsShareTheirBandwidth) {
   RankSteps pairs{.steps_per_full_wait = 0, .ranks = {}};
   for (const int other : {2, 3, 0, 1}) {

@@ -28,6 +28,7 @@ std::vector<double> StepReplay::ends(int count) {
   ends_.assign(count, 0.0);
   for (int rank = 0; rank < std::ssize(ranks_); ++rank) {
     ranks_[rank].step = 0;
+    ranks_[rank].arrived.assign(count, 0);
     start_step(rank, 0.0);
   }
   while (!events_.empty() || std::isfinite(between_hosts_.next_end())) {
@@ -78,18 +79,16 @@ void StepReplay::send(int rank, double time) {
 }
 
 void StepReplay::arrive(SharedNetwork::Message message, double time) {
-  ++ranks_[message.receiver].arrived[message.step % 2];
+  ++ranks_[message.receiver].arrived[message.step];
   end_step_if_ready(message.receiver, time);
 }
 
 void StepReplay::end_step_if_ready(int rank, double time) {
   Rank& state = ranks_[rank];
   const RankStep& work = steps_.ranks[rank];
-  int& arrived = state.arrived[state.step % 2];
-  if (!state.is_waiting || arrived < std::ssize(work.received)) {
+  if (!state.is_waiting || state.arrived[state.step] < std::ssize(work.received)) {
     return;
   }
-  arrived = 0;
   state.is_waiting = false;
   const double end = time + state.overhead + (waits_at_once(state.step) ? work.inner : 0.0);
   ends_[state.step] = std::max(ends_[state.step], end);

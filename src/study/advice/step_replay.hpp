@@ -1,7 +1,6 @@
 #pragma once
 // Steps of ranks that wait for each other's messages, played one event after another.
 
-#include <array>
 #include <queue>
 #include <vector>
 
@@ -37,7 +36,7 @@ class StepReplay {
     std::vector<Outgoing> sent;
     int step = 0;
     bool is_waiting = false;
-    std::array<int, 2> arrived{};  // messages of this step and of the next: a neighbour is at most one ahead
+    std::vector<int> arrived;  // [steps] messages; a neighbour may be ahead
   };
   enum class Kind { send, wait, enter, arrive };
   struct Event {

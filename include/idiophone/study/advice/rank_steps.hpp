@@ -13,7 +13,7 @@ struct Message {
   double bytes = 0.0;  ///< in each step
 };
 
-/// One rank's step. Neighbours exchange messages in both directions: a rank sends to all from which it receives.
+/// One rank's step.
 struct RankStep {
   double computing = 0.0;  ///< processor time, s
   double inner = 0.0;      ///< of it, while the messages travel, s
@@ -33,6 +33,7 @@ struct StepTime {
 
 /// The mean over steps that are played one event after another, from what each rank computes and when its messages
 /// arrive.
+/// @throws std::out_of_range  for a sender that is no rank
 [[nodiscard]] StepTime step_time(const RankSteps& steps, const Network& network);
 
 /// For programs that simulate a network: see docs/use/running.md.
