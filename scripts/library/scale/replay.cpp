@@ -229,7 +229,7 @@ class Actor {
 void start(const Cluster& cluster, const Steps& steps) {
   for (std::size_t number = 0; number < steps.ranks.size(); ++number) {
     const Actor actor(cluster, steps, static_cast<int>(number));
-    sg4::Host* host = sg4::Host::by_name("host" + std::to_string(number / cluster.ranks_on_host));
+    sg4::Host* host = sg4::Host::by_name(host_name(number / cluster.ranks_on_host));
     const sg4::ActorPtr started = start_actor("rank" + std::to_string(number), host, actor);
     for (sg4::Mailbox* box : actor.incoming()) {
       box->set_receiver(started);  // messages leave when they are sent, though the rank does not wait for them yet

@@ -27,7 +27,6 @@ double StepReplay::computing(int rank) const {
 std::vector<double> StepReplay::ends(int count) {
   ends_.assign(count, 0.0);
   for (int rank = 0; rank < std::ssize(ranks_); ++rank) {
-    ranks_[rank].step = 0;
     ranks_[rank].arrived.assign(count, 0);
     start_step(rank, 0.0);
   }

@@ -19,7 +19,7 @@ class StepReplay {
   /// The steps must outlive it. Throws std::out_of_range for a sender that is no rank.
   StepReplay(const RankSteps& steps, const Network& network);
 
-  /// When the last rank ends each of the first steps, s. [count]
+  /// When the last rank ends each of the first steps, s. [count] To be called once.
   [[nodiscard]] std::vector<double> ends(int count);
 
   /// The processor time of a rank in a step with the overheads of its messages, s.
