@@ -1,6 +1,6 @@
 // ping_pong BYTES ...: how long messages of MPI between ranks 0 and 1 take. A line for each size: the size, half the
-// time there and back, and the time that a message takes of a rank which computes while it travels, at each end, s;
-// medians of many.
+// time there and back, and the time that a message takes of a rank which computes while it travels, at each end, s, of
+// the rank where that is most; medians of many.
 
 #include <mpi.h>
 
@@ -83,7 +83,8 @@ int main(int count, char** words) {
   for (int i = 1; i < count; ++i) {
     std::vector<char> data(std::stoul(words[i]));
     const double travel = median([&] { return round_trip(data, rank) / 2; });
-    const double processor = median([&] { return overhead(data, rank, travel); });
+    double processor = median([&] { return overhead(data, rank, travel); });
+    MPI_Allreduce(MPI_IN_PLACE, &processor, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
     if (rank == 0) {
       std::cout << data.size() << ' ' << travel << ' ' << processor << std::endl;
     }
