@@ -181,7 +181,7 @@ int run_bench(const BenchOptions& options) {
   const bench::Workpiece::Slopes slopes = piece.slopes_of(session.body, session.body.tuned);
   const bench::CutModel model = piece.model(session.cuts, session.body, slopes.strips);
   const bench::Partials partials = distances_of(session.partials, target.are_ratios);
-  const bench::Plan plan = session.doubt.empty() ? bench::plan_cuts(model, tools, partials, options.plan)
+  const bench::Plan plan = session.doubt.empty() ? bench::plan_cuts(model, tools, partials, options.plan, past.cuts)
                                                  : bench::ambiguous_plan(partials, options.plan);
   const BenchAnswer answer{solids.bodies.front().name, session, piece.side(), slopes.strips, tools, past, plan};
   if (options.style == Style::json) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <stdexcept>
 
@@ -29,7 +30,13 @@ std::string question_of(const bench::Workpiece& piece, const bench::Doubt& doubt
     return fmt::format("the line at {:.2f} Hz may be that of {} or of {}", doubt.line, mode,
                        name_of(piece, *doubt.other));
   }
-  return fmt::format("{} may have the line at {:.2f} or that at {:.2f} Hz", mode, doubt.line, doubt.other_line.value());
+  if (doubt.other_line) {
+    return fmt::format("{} may have the line at {:.2f} or that at {:.2f} Hz", mode, doubt.line, *doubt.other_line);
+  }
+  return fmt::format(
+      "the line of {} at {:.2f} Hz is {:.1f} standard deviations {} where it was expected: a cut was not "
+      "made as asked, or the tap is wrong",
+      mode, doubt.line, std::abs(doubt.surprise), doubt.surprise > 0 ? "above" : "below");
 }
 
 /// "Tap at 0.17,0,0 m, where ..."

@@ -60,7 +60,7 @@ std::string mutated_answer(std::string bytes, mutants::Random& random) {
                                    .node_tags = {1, 2, 3, 4},
                                    .coordinates = {0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1},
                                    .elements = {{"Tetrahedron 4", 4, 4, {1}, {1, 2, 3, 4}}},
-                                   .groups = {{"rim", 1, {1, 2, 3}}},
+                                   .groups = {{"rim", 1, {1, 2, 3}, {1, 2, 3}, {}}},
                                    .views = {{"density", 0, 1, {1, 2}, {1.0, 2.0}}},
                                    .notes = {"a note"}});
   return bytes.size() < sizeof(double) ? tetrahedron : mutants::mutated_bytes(std::move(bytes), random);

@@ -20,6 +20,8 @@ SMALL = {  # for readers of which no file is shipped
     "event": b"{at: [0, 0, 1], direction: [0, 0, 1], mass: 0.1, hardness: 1e8, speed: 1, body: plate}",
     "override": b"loads.tap.force=[0, 0, -3]",
     "lines": b"mass: 0.1\nuncertainty: 5\nlines: [202, {frequency: 405, uncertainty: 6, decay_time: 0.6}, 584]\n",
+    "cuts": b"side: -z\ncuts: [{tool: \"router:0.003\", place: 0.0135, depth: 0.0004}]\n"
+            b"taps: [{cuts: 1, lines: [233.3, 918], uncertainties: [1, 2], at: [0.165, 0, 0.01]}]\n",
     "velocities": b"frequency,x,y,z,vx,vx_imaginary,vy,vy_imaginary,vz,vz_imaginary\n800,0,0,1,0,0,0.6,-0.8,1e-3,0\n",
     "obj": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1/1 2//2 -1/1/1\nf 1 4 3\nf 2 3 4\n",
     "messages": b"\x90\x3c\x40\x00\xe0\x00\x40\x00",

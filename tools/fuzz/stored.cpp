@@ -9,6 +9,7 @@
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/results/checkpoint.hpp"
 #include "idiophone/solids/mesh/mesh_file.hpp"
+#include "idiophone/solids/mesh/meshes_in_parts.hpp"
 #include "readers.hpp"
 #include "stored_readers.hpp"
 #include "velocity_file.hpp"
@@ -42,7 +43,16 @@ void read_stored_mesh(const File& file) {
   static_cast<void>(mesh::read_mesh_file(file));
 }
 
-void read_velocities(const File& file) {
+/// As ranks read large meshes of tetrahedra.
+void read_mesh_in_parts(const File& file) {
+  scene::Body body;
+  body.mesh = file;
+  const mesh::Outlines outlines = mesh::read_outlines({&body, 1}, MPI_COMM_SELF);
+  const std::vector<std::vector<Index>> coupled;
+  static_cast<void>(mesh::read_part({&body, 1}, outlines, coupled, MPI_COMM_SELF));
+}
+
+void read_given_motion(const File& file) {
   deck::Mistakes mistakes;
   static_cast<void>(harmonic::hdf5_velocities(file, mistakes));
   mistakes.raise();
@@ -71,7 +81,8 @@ std::vector<Reader> stored_readers() {
           {"sound_map", ".h5", read_sound_map, mutated_file},
           {"radiation", ".h5", read_radiation, mutated_file},
           {"stored_mesh", ".h5", read_stored_mesh, mutated_file},
-          {"given_motion", ".h5", read_velocities, mutated_file},
+          {"mesh_in_parts", ".h5", read_mesh_in_parts, mutated_file},
+          {"given_motion", ".h5", read_given_motion, mutated_file},
           {"checkpoint", ".h5", read_checkpoint, mutated_file, false}};
 }
 

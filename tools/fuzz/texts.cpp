@@ -6,6 +6,7 @@
 #include "idiophone/instruments/sound_maps/ideal_deck.hpp"
 #include "idiophone/scene/resolved_deck.hpp"
 #include "idiophone/scene/scene.hpp"
+#include "idiophone/study/bench/cut_list.hpp"
 #include "idiophone/study/fitting/measurements.hpp"
 #include "idiophone/study/measured_maps/measured_deck.hpp"
 #include "idiophone/timbre/language/live_sound.hpp"
@@ -72,6 +73,11 @@ void read_lines(const File& file) {
   static_cast<void>(fitting::read_measurements(file));
 }
 
+/// What was cut from a bar of 340 mm, as the bench reads it.
+void read_cuts(const File& file) {
+  static_cast<void>(bench::read_past(file, bench::Side{}, {-0.17, 0.17}));
+}
+
 void read_measured(const File& file) {
   static_cast<void>(measured_maps::read_measured_deck(file, {}));
 }
@@ -106,6 +112,7 @@ std::vector<Reader> text_readers() {
                                  {"event", ".yaml", read_event, mutants::mutated_text},
                                  {"ideal", ".yaml", read_ideal, mutants::mutated_text},
                                  {"lines", ".yaml", read_lines, mutants::mutated_text},
+                                 {"cuts", ".yaml", read_cuts, mutants::mutated_text},
                                  {"measured", ".yaml", read_measured, mutants::mutated_text},
                                  {"velocities", ".csv", read_velocities, mutants::mutated_text},
                                  {"sonic_scene", ".yaml", read_scene, mutants::mutated_text},

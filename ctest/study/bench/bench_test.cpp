@@ -266,6 +266,35 @@ TEST(Plan, BringsPartialsNearerAndNotTooFar) {
   EXPECT_NEAR((sum - next.expected).norm(), 0, 1e-9);
 }
 
+// Narrow grooves on narrow grooves do more than the model says.
+TEST(Plan, MakesNoNarrowGrooveDeeper) {
+  const std::vector<Tool> narrow = {{"router", Profile::groove, 0.003, 0.15}};
+  const Partials partials{Eigen::Vector2d(60, 30), Eigen::Vector2d(0.5, 0.5), false};
+  const auto nearest_to = [](const Plan& plan, double place) {
+    double nearest = 1.0;
+    for (const Cut& cut : plan.visits.front().cuts) {
+      nearest = std::min(nearest, std::abs(cut.place - place));
+    }
+    return nearest;
+  };
+  const Plan free = plan_cuts(straight(bar()), narrow, partials, {});
+  ASSERT_EQ(free.verdict, Verdict::cut);
+  const double place = free.visits.front().cuts.front().place;
+  const Cut groove{narrow.front(), place, 2e-4, {}};
+  const Plan beside = plan_cuts(straight(bar()), narrow, partials, {}, {groove});
+  ASSERT_EQ(beside.verdict, Verdict::cut);
+  EXPECT_GE(nearest_to(beside, place), 0.006);
+  const Cut wide{both_tools.front(), place, 2e-4, {}};
+  EXPECT_LT(nearest_to(plan_cuts(straight(bar()), narrow, partials, {}, {wide}), place), 0.006);
+  std::vector<Cut> everywhere;
+  for (double x = -0.15; x < 0.155; x += 0.005) {
+    everywhere.push_back({narrow.front(), x, 2e-4, {}});
+  }
+  const Plan none = plan_cuts(straight(bar()), narrow, partials, {}, everywhere);
+  EXPECT_EQ(none.verdict, Verdict::out_of_reach);
+  EXPECT_EQ(none.unreachable, none.errors);
+}
+
 TEST(Plan, LooksAheadToTheTarget) {
   const Plan plan = plan_for({60, 30}, {.depth_error = 2e-5});
   ASSERT_GE(plan.visits.size(), 2U);

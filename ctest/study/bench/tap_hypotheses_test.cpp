@@ -155,6 +155,22 @@ TEST(TapHypotheses, KeepTheLineOfAModeThatALaterTapMisses) {
   EXPECT_NEAR(best.pitch_of(2, cut).deviation, 1, 0.05);
 }
 
+// A cut moved both bending modes by 10 cents more than asked, five standard deviations. That they are missing, and that
+// two other lines are where a deeper cut puts them, is less likely.
+TEST(TapHypotheses, TakeASurpriseWhereLinesAgree) {
+  TapHypotheses taps(5);
+  taps.hear(lines_at({7000, 9000, 10000}), bar(9000));
+  ExpectedTap cut = bar(9000);
+  cut.spread << 0, 2, 0, 0, 0;
+  cut.heard = {0.95, 0.95, 0.95};
+  taps.hear(lines_at({6990, 9000, 9990}), cut);
+  const TapHypothesis& best = taps.all().front();
+  EXPECT_EQ(best.lines, (Lines{0, 1, 2}));
+  EXPECT_LT(best.surprises[0], -3);
+  EXPECT_LT(std::abs(best.surprises[1]), 3);
+  EXPECT_LT(std::abs(best.surprises[2]), 3) << "the first line has told it";
+}
+
 // The reference is the normal equations of all lines and of what was known before, by themselves.
 TEST(TapHypotheses, HaveTheUnknownsOfLeastSquares) {
   const ExpectedTap expected = bar(9000, 20.0);

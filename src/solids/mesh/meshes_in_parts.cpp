@@ -55,7 +55,13 @@ Outlines read_outlines(std::span<const scene::Body> bodies, MPI_Comm communicato
   parallel::on_root(communicator, [&] {
     std::transform(bodies.begin(), bodies.end(), std::back_inserter(outlines.meshes), read_outline);
     std::vector<Index> elements;
-    std::transform(bodies.begin(), bodies.end(), std::back_inserter(elements), element_count);
+    std::transform(bodies.begin(), bodies.end(), std::back_inserter(elements), [](const scene::Body& body) {
+      const std::optional<Index> count = stored_elements(body);
+      if (!count) {
+        throw deck::DeckError(body.mesh_where, unreadable(body, "its elements can't be read"));
+      }
+      return *count;
+    });
     outlines.offsets = offsets_of(outlines.meshes, elements);
   });
   for (auto* numbers : {&outlines.offsets.nodes, &outlines.offsets.elements, &outlines.offsets.triangles}) {

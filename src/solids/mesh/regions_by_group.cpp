@@ -1,14 +1,13 @@
 #include "regions_by_group.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <algorithm>
-#include <ranges>
 #include <unordered_map>
 
 #include "checks.hpp"
 #include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/foundation/listed_names.hpp"
 
 namespace idiophone::mesh {
 
@@ -24,7 +23,7 @@ constexpr Index no_region = -1;
                   region.name,
                   loaded.element_groups.empty()
                       ? fmt::format("it has none: define them by Physical {}(\"{}\") in gmsh", kind, region.name)
-                      : fmt::format("it has: {}", fmt::join(std::views::keys(loaded.element_groups), ", "))));
+                      : fmt::format("it has: {}", listed_names(loaded.element_groups))));
 }
 
 /// Places of the elements of a region's group.

@@ -12,12 +12,31 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-Candidates::Candidates(const Strips& strips, const std::vector<Tool>& tools) {
+namespace {
+
+/// Whether a cut at a place takes material from an earlier groove by a tool that is not wider than those that are
+/// doubted.
+bool deepens_narrow_groove(const Tool& tool, double place, const std::vector<Cut>& made, double widest_doubted) {
+  return tool.slope_error > 0 && std::ranges::any_of(made, [&](const Cut& cut) {
+           return cut.tool.profile == Profile::groove && cut.tool.radius <= widest_doubted &&
+                  std::abs(cut.place - place) < cut.tool.radius + tool.radius;
+         });
+}
+
+}  // namespace
+
+Candidates::Candidates(const Strips& strips, const std::vector<Tool>& tools, const std::vector<Cut>& made) {
   constexpr int strides_of_radius = 4;
+  double widest_doubted = 0.0;
+  for (const Tool& tool : tools) {
+    widest_doubted = tool.slope_error > 0 ? std::max(widest_doubted, tool.radius) : widest_doubted;
+  }
   for (const Tool& tool : tools) {
     const double stride = tool.radius / strides_of_radius;
     for (double place = strips.low() + tool.radius; place <= strips.high() - tool.radius + 1e-9; place += stride) {
-      candidates_.push_back({tool, place});
+      if (!deepens_narrow_groove(tool, place, made, widest_doubted)) {
+        candidates_.push_back({tool, place});
+      }
     }
   }
 }

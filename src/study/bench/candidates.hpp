@@ -8,10 +8,13 @@
 
 namespace idiophone::bench {
 
-/// All tools at all places of a body where their cuts lie within it, a quarter of a tool's radius apart.
+/// All tools at all places of a body where their cuts lie within it, a quarter of a tool's radius apart. A tool whose
+/// cuts are doubted is not led over an earlier groove that is as narrow: in a bar 7.4 mm thick, 0.41 mm over a groove
+/// of 0.24 mm did 1.9 times what its slope said.
 class Candidates {
  public:
-  Candidates(const Strips& strips, const std::vector<Tool>& tools);
+  /// @param made  cuts that the body has already
+  Candidates(const Strips& strips, const std::vector<Tool>& tools, const std::vector<Cut>& made = {});
 
   /// [partials x candidates] cents/m
   [[nodiscard]] Eigen::MatrixXd slopes(const Strips& strips) const;

@@ -21,6 +21,14 @@ VectorXd deviations_of(const VectorXd& partials, bool are_ratios) {
   return deviations;
 }
 
+/// How much more than a cut does for each metre of its depth, a metre does at the bottom of one that is much deeper
+/// than asked: grooves do more the deeper they are.
+double steepness_of(Cut cut, double deeper) {
+  const double modelled = modelled_depth(cut) / cut.depth;
+  cut.depth += deeper;
+  return modelled_depth_slope(cut) / modelled;
+}
+
 }  // namespace
 
 Certainty::Certainty(const Partials& partials, const PlanOptions& options)
@@ -54,7 +62,8 @@ VectorXd Certainty::after(const std::vector<Cut>& cuts) const {
   VectorXd moved = VectorXd::Zero(measured_.size());
   for (const Cut& cut : cuts) {
     moved += std::max(options_.slope_error, cut.tool.slope_error) * cut.cents;
-    squares += (options_.depth_error / cut.depth * of_intervals(cut.cents).array()).square();
+    const double deeper = steepness_of(cut, certain * options_.depth_error) * options_.depth_error;
+    squares += (deeper / cut.depth * of_intervals(cut.cents).array()).square();
   }
   ArrayXd by_slopes = moved.array().square();
   if (are_ratios_) {

@@ -50,12 +50,13 @@ std::vector<Cut> shallower(const std::vector<Cut>& cuts, double share, double sh
 
 class Planner {
  public:
-  Planner(const CutModel& model, const std::vector<Tool>& tools, const Partials& partials, const PlanOptions& options)
+  Planner(const CutModel& model, const std::vector<Tool>& tools, const Partials& partials, const PlanOptions& options,
+          const std::vector<Cut>& made)
       : model_(model),
         options_(options),
         certainty_(partials, options),
         body_(model({})),
-        candidates_(body_.strips, tools) {
+        candidates_(body_.strips, tools, made) {
     plan_.errors = certainty_.of_intervals(partials.cents);
     plan_.measured = certainty_.measured();
   }
@@ -248,8 +249,8 @@ VectorXd slopes_of(const Strips& strips, const Tool& tool, double place) {
 }
 
 Plan plan_cuts(const CutModel& model, const std::vector<Tool>& tools, const Partials& partials,
-               const PlanOptions& options) {
-  return Planner(model, tools, partials, options).plan();
+               const PlanOptions& options, const std::vector<Cut>& made) {
+  return Planner(model, tools, partials, options, made).plan();
 }
 
 Plan ambiguous_plan(const Partials& partials, const PlanOptions& options) {

@@ -31,7 +31,7 @@ Corner between(const Corner& a, const Corner& b) {
 /// Adds a triangle to the strip of its middle, cut into triangles that are not longer than a strip.
 void add_triangle(const Corners& corners, const Side& side, double low, Strips& strips) {
   const auto [shortest, longest] =
-      std::ranges::minmax({corners[0].place[side.along], corners[1].place[side.along], corners[2].place[side.along]});
+      std::minmax({corners[0].place[side.along], corners[1].place[side.along], corners[2].place[side.along]});
   if (longest - shortest > strips.width) {
     const Corner ab = between(corners[0], corners[1]);
     const Corner bc = between(corners[1], corners[2]);

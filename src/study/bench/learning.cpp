@@ -15,6 +15,7 @@ namespace idiophone::bench {
 namespace {
 
 constexpr double certain = 0.99;
+constexpr double surprising = 3.0;  // standard deviations
 
 Estimate estimate_of(const TapHypothesis& hypothesis, Eigen::Index unknown, std::string name) {
   return {std::move(name), hypothesis.unknowns[unknown],
@@ -33,6 +34,21 @@ void carry_over(Learned& learned, const TapHypothesis& hypothesis, const std::ve
       learned.lines[p] = {.frequency = frequency, .uncertainty = pitch.deviation};
       learned.carried[p] = {heard->tap, partials::cents(frequency, heard->frequency)};
     }
+  }
+}
+
+/// Doubts lines that are far from where their modes were expected: a cut was not made as asked, or the tap is wrong.
+/// The next tap decides.
+void doubt_surprise(Learned& learned, const TapHypothesis& hypothesis, const std::vector<std::size_t>& tuned,
+                    const std::vector<fitting::Line>& lines) {
+  const auto is_surprise = [&](std::size_t mode) { return std::abs(hypothesis.surprises[mode]) > surprising; };
+  const auto mode = std::ranges::find_if(tuned, is_surprise);
+  if (!learned.doubt && mode != tuned.end()) {
+    learned.doubt = {.mode = *mode,
+                     .line = lines[*hypothesis.lines[*mode]].frequency,
+                     .other_line = {},
+                     .other = {},
+                     .surprise = hypothesis.surprises[*mode]};
   }
 }
 
@@ -94,6 +110,7 @@ Learned learn(const Workpiece& piece, const std::vector<Cut>& made, const std::v
     const std::array<std::size_t, 1> alone = {mode};
     learned.is_doubted.push_back(is_named || certainness_of(hypotheses, alone, lines).probability < certain);
   }
+  doubt_surprise(learned, best, tuned, lines);
   carry_over(learned, best, tuned, last);
   learn_constants(learned, piece.material(), best, unknowns);
   for (std::size_t c = 0; c < made.size(); ++c) {

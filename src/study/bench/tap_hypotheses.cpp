@@ -16,7 +16,7 @@ using fitting::Line;
 
 constexpr std::size_t most_hypotheses = 200;
 constexpr double false_lines = 1e-3;  // for each cent
-constexpr double farthest = 3.0;      // standard deviations of a line from its mode
+constexpr double farthest = 6.0;      // standard deviations of a line from its mode
 
 /// A hypothesis with one mode more.
 struct Extension {
@@ -60,6 +60,7 @@ void extend(const TapHypothesis& known, std::size_t parent, const ExpectedMode& 
 TapHypothesis extended(TapHypothesis known, const Extension& extension, const ExpectedMode& mode) {
   known.likelihood = extension.likelihood;
   known.lines.push_back(extension.line);
+  known.surprises.push_back(extension.line ? extension.off / std::sqrt(extension.square) : 0.0);
   if (extension.line) {
     const VectorXd way = known.covariance * mode.slopes.transpose();
     known.unknowns += way * (extension.off / extension.square);
@@ -84,6 +85,7 @@ void TapHypotheses::hear(std::span<const Line> lines, const ExpectedTap& expecte
   for (TapHypothesis& hypothesis : hypotheses_) {
     hypothesis.covariance.diagonal() += expected.spread.cwiseAbs2();
     hypothesis.lines.clear();
+    hypothesis.surprises.clear();
     hypothesis.heard.resize(static_cast<std::size_t>(expected.cents.size()));
   }
   for (Eigen::Index m = 0; m < expected.cents.size(); ++m) {

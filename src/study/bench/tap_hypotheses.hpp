@@ -38,6 +38,8 @@ struct TapHypothesis {
   double likelihood = 0.0;                           ///< its logarithm, but for a constant
   std::vector<std::optional<std::size_t>> lines;     ///< [modes] of the last tap; none of a mode that is not heard
   std::vector<std::optional<HeardLine>> heard = {};  ///< [modes] of all taps; none of a mode that was never heard
+  /// [modes] standard deviations by which the line of the last tap is above where its mode was expected; 0 without one
+  std::vector<double> surprises = {};
 
   /// @param expected  what the model says about the last tap
   [[nodiscard]] Pitch pitch_of(std::size_t mode, const ExpectedTap& expected) const;
@@ -45,7 +47,8 @@ struct TapHypothesis {
 
 /// The likeliest ways to take the lines of taps for modes, one to one in each tap (multiple hypotheses, Reid 1979).
 /// Each has the unknowns that its lines tell (Kalman 1960). A line is as far from its mode as the unknowns and its own
-/// uncertainty let it be, a mode is heard or not by its probability, and false lines are one in 1000 cents.
+/// uncertainty let it be, at most six standard deviations; a mode is heard or not by its probability, and false lines
+/// are one in 1000 cents.
 class TapHypotheses {
  public:
   /// @param unknowns  their number; all are known to be zero before the first tap, but for ExpectedTap::spread

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <ranges>
 #include <stdexcept>
 
 #include "idiophone/files/attributes.hpp"
@@ -17,6 +16,7 @@
 #include "idiophone/files/reading.hpp"
 #include "idiophone/files/table_checksums.hpp"
 #include "idiophone/foundation/element/deck_keys.hpp"
+#include "idiophone/foundation/listed_names.hpp"
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/results/checkpoint_format.hpp"
 #include "idiophone/run/results/describe_file.hpp"
@@ -106,25 +106,24 @@ std::string describe_radiation(hid_t file, const std::filesystem::path& path) {
   if (frequencies.empty()) {
     throw std::runtime_error("/sounds/frequency is empty");
   }
-  const auto [lowest, highest] = std::ranges::minmax(frequencies);
+  const auto [lowest, highest] = std::minmax_element(frequencies.begin(), frequencies.end());
   return fmt::format(
       "{}: sound that the body '{}' of the deck '{}' radiates, written by idiophone {} (format version {})\n"
       "  {} sounds from {:.6g} to {:.6g} Hz; {} vertices, {} triangles of {}; {} directions\n",
       path.string(), hdf5::text_of(file, "body"), hdf5::text_of(file, "name"), hdf5::text_of(file, "code_version"),
-      files::version_of(files::radiation_format), frequencies.size(), lowest, highest, rows("/surface/vertices"),
+      files::version_of(files::radiation_format), frequencies.size(), *lowest, *highest, rows("/surface/vertices"),
       rows("/surface/triangles"), fmt::join(hdf5::texts_in(file, "/surface/parts"), ", "), rows("/sphere/direction"));
 }
 
 std::string describe_mesh(hid_t file, const std::filesystem::path& path) {
   const mesh::StoredMesh stored = mesh::read_mesh_file(path);
-  const auto names = [](const auto& groups) { return fmt::format("{}", fmt::join(std::views::keys(groups), ", ")); };
   return fmt::format(
       "{}: mesh of the body '{}' of the deck '{}', written by idiophone {} (format version {}), mesh {}\n"
       "  {} nodes, {} elements, {} surface triangles\n  {}\n  groups: {}\n  groups of elements: {}\n",
       path.string(), stored.body, hdf5::text_of(file, "name"), hdf5::text_of(file, "code_version"),
       files::version_of(files::mesh_format), stored.mesh.hash, stored.mesh.nodes.size(), stored.mesh.element_count(),
-      stored.mesh.surface.size(), element::deck_keys(stored.mesh.element), names(stored.mesh.groups),
-      names(stored.element_groups));
+      stored.mesh.surface.size(), element::deck_keys(stored.mesh.element), listed_names(stored.mesh.groups),
+      listed_names(stored.element_groups));
 }
 
 std::string describe_checkpoint(hid_t file, const std::filesystem::path& path) {
