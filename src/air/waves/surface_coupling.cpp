@@ -22,11 +22,7 @@ SurfaceCoupling::SurfaceCoupling(const Subdomain& subdomain, const Obstruction& 
 void SurfaceCoupling::add_triangle(const Subdomain& subdomain, const Obstruction& obstruction, Index triangle,
                                    const CutCells& cut_cells) {
   const auto begin = std::ssize(fronts_);
-  for_each_piece(subdomain, obstruction, triangle, [&](const SurfacePiece& piece) {
-    const Index node = node_in_front(cut_cells, piece);
-    if (node < 0 || node >= cut_cells.own_nodes()) {
-      return;
-    }
+  for_each_front(subdomain, obstruction, triangle, cut_cells, [&](Index node, const SurfacePiece& piece) {
     auto front = std::ranges::find(fronts_.begin() + begin, fronts_.end(), node, &Front::node);
     if (front == fronts_.end()) {
       front = fronts_.insert(front, {.node = node, .areas = {}});

@@ -63,4 +63,17 @@ void for_each_piece(const Subdomain& subdomain, const Obstruction& obstruction, 
   }
 }
 
+/// The pieces of a triangle that are in front of nodes of this rank.
+/// @param visit  visit(Index node, const SurfacePiece&)
+template <class Visit>
+void for_each_front(const Subdomain& subdomain, const Obstruction& obstruction, Index triangle,
+                    const CutCells& cut_cells, const Visit& visit) {
+  for_each_piece(subdomain, obstruction, triangle, [&](const SurfacePiece& piece) {
+    const Index node = node_in_front(cut_cells, piece);
+    if (node >= 0 && node < cut_cells.own_nodes()) {
+      visit(node, piece);
+    }
+  });
+}
+
 }  // namespace idiophone::waves

@@ -31,11 +31,8 @@ SurfaceSources::SurfaceSources(const Subdomain& subdomain, const Obstruction& ob
 
 void SurfaceSources::add_triangle(const Subdomain& subdomain, const Obstruction& obstruction, Index triangle,
                                   const CutCells& cut_cells) {
-  for_each_piece(subdomain, obstruction, triangle, [&](const SurfacePiece& piece) {
-    const Index node = node_in_front(cut_cells, piece);
-    if (node >= 0 && node < cut_cells.own_nodes()) {
-      pieces_.push_back({node, triangle, static_cast<float>(piece.area)});
-    }
+  for_each_front(subdomain, obstruction, triangle, cut_cells, [&](Index node, const SurfacePiece& piece) {
+    pieces_.push_back({node, triangle, static_cast<float>(piece.area)});
   });
 }
 

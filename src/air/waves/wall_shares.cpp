@@ -34,13 +34,11 @@ std::vector<WallShare> wall_shares(const Subdomain& subdomain, const Obstruction
   };
   std::vector<Sums> sums(cut_cells.nodes().size());
   for (std::size_t triangle = 0; triangle < obstruction.triangles.size(); ++triangle) {
-    for_each_piece(subdomain, obstruction, static_cast<Index>(triangle), [&](const SurfacePiece& piece) {
-      const Index node = node_in_front(cut_cells, piece);
-      if (node >= 0 && node < cut_cells.own_nodes()) {
-        sums[node].area += piece.area;
-        sums[node].rubbed += piece.area * piece.normal.unaryExpr(&part_rubbed);
-      }
-    });
+    for_each_front(subdomain, obstruction, static_cast<Index>(triangle), cut_cells,
+                   [&](Index node, const SurfacePiece& piece) {
+                     sums[node].area += piece.area;
+                     sums[node].rubbed += piece.area * piece.normal.unaryExpr(&part_rubbed);
+                   });
   }
   const double face = subdomain.grid().cell * subdomain.grid().cell;
   std::vector<WallShare> shares(sums.size());
