@@ -21,7 +21,7 @@ std::vector<double> weights(const Spreading& spreading, double fraction, bool ch
   EXPECT_EQ(place.before, 7);
   std::vector<double> all;
   for (std::size_t group = 0; group < spreading.width() / lane_count; ++group) {
-    const Lanes4 lanes = change ? spreading.change(place, group) : spreading.sound(place, group);
+    const Lanes4 lanes = change ? spreading.weights().change(place, group) : spreading.weights().sound(place, group);
     all.insert(all.end(), {lanes[0], lanes[1], lanes[2], lanes[3]});
   }
   return all;

@@ -7,6 +7,9 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <utility>
+
+#include "idiophone/foundation/vector_register.hpp"
 
 namespace idiophone {
 
@@ -17,6 +20,11 @@ using IntegerLanes4 = std::int64_t __attribute__((vector_size(lane_count * sizeo
 
 /// x, y, z of four vectors.
 using VectorLanes = std::array<Lanes4, 3>;
+
+/// As many doubles or integers as fill a register, but at least four: for arrays that are padded to eight.
+inline constexpr std::size_t wide_count = register_size / sizeof(double) > lane_count ? 2 * lane_count : lane_count;
+using WideLanes = double __attribute__((vector_size(wide_count * sizeof(double))));
+using WideIntegers = std::int64_t __attribute__((vector_size(wide_count * sizeof(std::int64_t))));
 
 inline constexpr std::size_t pack_size = 8;
 
@@ -30,19 +38,19 @@ struct alignas(pack_size * sizeof(double)) AlignedBlock {
   return (count + pack_size - 1) / pack_size * pack_size;
 }
 
-/// Reads four consecutive values, aligned or not.
+/// Reads as many consecutive values as a vector has, aligned or not.
 template <class Vector = Lanes4, class Value>
 [[nodiscard]] inline Vector load(const Value* values) {
-  static_assert(sizeof(Vector) == lane_count * sizeof(Value));
+  static_assert(sizeof(std::declval<Vector>()[0]) == sizeof(Value));
   Vector lanes;
   std::memcpy(&lanes, values, sizeof lanes);
   return lanes;
 }
 
-/// Writes four consecutive values, aligned or not.
+/// Writes as many consecutive values as a vector has, aligned or not.
 template <class Vector, class Value>
 inline void put(const Vector& lanes, Value* values) {
-  static_assert(sizeof(Vector) == lane_count * sizeof(Value));
+  static_assert(sizeof(lanes[0]) == sizeof(Value));
   std::memcpy(values, &lanes, sizeof lanes);
 }
 

@@ -11,13 +11,15 @@ void Kirchhoff::radiate(const surface::Emission& emission, const Paths& paths, A
   arrivals.change.resize(count);
   arrivals.delay = paths.delay;
   constexpr double scale = 1.0 / (4.0 * std::numbers::pi);
-  for (std::size_t first = 0; first < count; first += lane_count) {
-    const Lanes4 distance = load(&paths.distance[first]);
-    const Lanes4 spread = scale * load(&emission.area[first]) * load(&paths.gain[first]) / distance;
-    const Lanes4 dipole = load(&paths.cosine[first]) * load(&emission.surface_pressure[first]);
+  for (std::size_t first = 0; first < count; first += wide_count) {
+    const WideLanes distance = load<WideLanes>(&paths.distance[first]);
+    const WideLanes spread =
+        scale * load<WideLanes>(&emission.area[first]) * load<WideLanes>(&paths.gain[first]) / distance;
+    const WideLanes dipole = load<WideLanes>(&paths.cosine[first]) * load<WideLanes>(&emission.surface_pressure[first]);
     put(spread * dipole / distance, &arrivals.sound[first]);
     // rho v' = P'/c, and the derivative is with respect to the time of arrival in audio samples.
-    put(spread * air_.samples_per_metre() * (load(&emission.pressure[first]) + dipole), &arrivals.change[first]);
+    put(spread * air_.samples_per_metre() * (load<WideLanes>(&emission.pressure[first]) + dipole),
+        &arrivals.change[first]);
   }
 }
 

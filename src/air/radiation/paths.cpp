@@ -12,8 +12,18 @@ namespace idiophone::radiation {
 
 namespace {
 
-Lanes4 dot(const VectorLanes& a, const Vector3& b) {
+using WideVectors = std::array<WideLanes, 3>;
+
+WideLanes dot(const WideVectors& a, const Vector3& b) {
   return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+WideLanes square_root(const WideLanes& values) {
+  WideLanes roots;
+  for (std::size_t lane = 0; lane < wide_count; ++lane) {
+    roots[lane] = std::sqrt(values[lane]);
+  }
+  return roots;
 }
 
 }  // namespace
@@ -27,7 +37,7 @@ void Medium::validate() const {
 
 void find_paths(const surface::Emission& emission, const ReceiverState& receiver, const Medium& air, Paths& paths) {
   const std::size_t count = emission.pressure.size();
-  if (count % lane_count != 0) {
+  if (count % pack_size != 0) {
     throw std::invalid_argument(fmt::format("paths: an emission of {} triangles is not padded", count));
   }
   for (auto* values : {&paths.distance, &paths.cosine, &paths.delay, &paths.gain}) {
@@ -36,23 +46,23 @@ void find_paths(const surface::Emission& emission, const ReceiverState& receiver
   // c^2 t^2 = |d + v t|^2 with d = x - y; as R = c t: (1 - m^2) R^2 - 2 (d.m) R - d^2 = 0, m = v/c.
   const Vector3 mach = receiver.velocity / air.speed;
   const double slowness = 1.0 - mach.squaredNorm();
-  const Lanes4 smallest = Lanes4{} + smallest_distance;
-  for (std::size_t first = 0; first < count; first += lane_count) {
-    VectorLanes towards;
-    Lanes4 square{};
+  const WideLanes smallest = WideLanes{} + smallest_distance;
+  for (std::size_t first = 0; first < count; first += wide_count) {
+    WideVectors towards;
+    WideLanes square{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
-      towards[axis] = receiver.position[axis] - load(&emission.centre[axis][first]);
+      towards[axis] = receiver.position[axis] - load<WideLanes>(&emission.centre[axis][first]);
       square += towards[axis] * towards[axis];
     }
-    const Lanes4 approach = dot(towards, mach);
-    Lanes4 distance = (approach + square_root(approach * approach + slowness * square)) / slowness;
+    const WideLanes approach = dot(towards, mach);
+    WideLanes distance = (approach + square_root(approach * approach + slowness * square)) / slowness;
     distance = distance < smallest ? smallest : distance;  // NaN fails the comparison and is kept, not clipped
-    Lanes4 facing{};
+    WideLanes facing{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       towards[axis] += mach[axis] * distance;
-      facing += towards[axis] * load(&emission.normal[axis][first]);
+      facing += towards[axis] * load<WideLanes>(&emission.normal[axis][first]);
     }
-    const Lanes4 off_axis = dot(towards, receiver.axis) / distance;
+    const WideLanes off_axis = dot(towards, receiver.axis) / distance;
     put(distance, &paths.distance[first]);
     put(facing / distance, &paths.cosine[first]);
     put(distance * air.samples_per_metre(), &paths.delay[first]);

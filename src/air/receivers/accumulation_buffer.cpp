@@ -26,23 +26,25 @@ double find_loudness(std::span<const double> sounds) {
   return (loudness[0] + loudness[1]) + (loudness[2] + loudness[3]);
 }
 
-/// The longest of delays that are all at least 0.
-double find_longest(std::span<const double> delays) {
-  Lanes4 longest{};
+/// Whether all are numbers from 0 to `longest`.
+bool are_possible(std::span<const double> delays, double longest) {
+  const Lanes4 none{};
+  IntegerLanes4 wrong{};
   for (std::size_t i = 0; i < delays.size(); i += lane_count) {
     const Lanes4 delay = load(&delays[i]);
-    longest = delay > longest ? delay : longest;
+    wrong |= ~((delay >= none) & (delay <= longest));
   }
-  return std::max({longest[0], longest[1], longest[2], longest[3]});
+  return (wrong[0] | wrong[1] | wrong[2] | wrong[3]) == 0;
 }
 
-/// Adds the taps' integers to four entries, whose memory is coarse, fine, coarse, fine, ...
-void add_taps(const Lanes4& taps, FixedPoint* entries) {
-  const Cut<IntegerLanes4, Lanes4> cut(taps);
-  auto* words = &entries->coarse;
-  put(load<IntegerLanes4>(words) + __builtin_shufflevector(cut.coarse, cut.fine, 0, 4, 1, 5), words);
-  words += lane_count;
-  put(load<IntegerLanes4>(words) + __builtin_shufflevector(cut.coarse, cut.fine, 2, 6, 3, 7), words);
+/// @throws std::runtime_error for the first that is not
+[[noreturn]] void refuse(std::int64_t sample, std::span<const double> delays, double longest) {
+  const auto wrong = std::ranges::find_if_not(delays, [&](double delay) { return delay >= 0.0 && delay <= longest; });
+  throw std::runtime_error(
+      fmt::format("a sound of audio sample {} travels {} audio samples to its receiver; 0 to {} are possible. Is the "
+                  "receiver, or a "
+                  "body that flew off, too far away?",
+                  sample, *wrong, longest));
 }
 
 }  // namespace
@@ -52,7 +54,7 @@ void AccumulationBuffer::add(std::int64_t sample, const radiation::Arrivals& arr
     throw std::logic_error(fmt::format(
         "AccumulationBuffer: the sound of audio sample {} is too late; entries before {} are final", sample, first_));
   }
-  const Batch all{arrivals.sound, arrivals.change, arrivals.delay};
+  const ArrivalBatch all{arrivals.sound, arrivals.change, arrivals.delay};
   const std::size_t total = all.sounds.size();
   if (all.delays.size() != total || (!all.changes.empty() && all.changes.size() != total) || total % lane_count != 0) {
     throw std::logic_error(fmt::format(
@@ -70,44 +72,19 @@ void AccumulationBuffer::add(std::int64_t sample, const radiation::Arrivals& arr
   }
 }
 
-void AccumulationBuffer::add_batch(std::int64_t sample, const Batch& batch) {
+void AccumulationBuffer::add_batch(std::int64_t sample, const ArrivalBatch& batch) {
   keep_in_range(sample, batch);
-  const auto wrong =
-      std::ranges::find_if_not(batch.delays, [this](double delay) { return delay >= 0.0 && delay <= longest_delay_; });
-  if (wrong != batch.delays.end()) {
-    throw std::runtime_error(fmt::format(
-        "a sound of audio sample {} travels {} audio samples to its receiver; 0 to {} are possible. Is the receiver, "
-        "or a body that flew off, too far away?",
-        sample, *wrong, longest_delay_));
+  if (!are_possible(batch.delays, longest_delay_)) {
+    refuse(sample, batch.delays, longest_delay_);
   }
   const auto density = static_cast<std::int64_t>(spreading_->density());
   const auto offset = static_cast<std::size_t>((sample - first_) * density + spreading_->first_entry());
-  const auto longest = static_cast<std::size_t>(find_longest(batch.delays) * static_cast<double>(density));
-  entries_.resize(std::max(entries_.size(), offset + longest + spreading_->width()));
-  if (batch.changes.empty()) {
-    spread<false>(batch, &entries_[offset]);
-  } else {
-    spread<true>(batch, &entries_[offset]);
-  }
+  const ReachedEntries reached = reached_entries(batch.delays, *spreading_);
+  entries_.resize(std::max(entries_.size(), offset + reached.end));
+  sums_.add(batch, *spreading_, reached, std::span(entries_).subspan(offset));
 }
 
-template <bool with_changes>
-void AccumulationBuffer::spread(const Batch& batch, FixedPoint* entries) const {
-  const std::size_t groups = spreading_->width() / lane_count;
-  const auto density = static_cast<double>(spreading_->density());
-  for (std::size_t i = 0; i < batch.sounds.size(); ++i) {
-    const Spreading::ArrivalCell cell = Spreading::cell_of(density * batch.delays[i]);
-    for (std::size_t group = 0; group < groups; ++group) {
-      Lanes4 taps = batch.sounds[i] * spreading_->sound(cell, group);
-      if constexpr (with_changes) {
-        taps += batch.changes[i] * spreading_->change(cell, group);
-      }
-      add_taps(taps, entries + cell.before + lane_count * group);
-    }
-  }
-}
-
-void AccumulationBuffer::keep_in_range(std::int64_t sample, const Batch& batch) {
+void AccumulationBuffer::keep_in_range(std::int64_t sample, const ArrivalBatch& batch) {
   constexpr double largest_weight = 1.25, largest_slope = 4.0;  // of any spreading
   const double loudness = largest_weight * find_loudness(batch.sounds) + largest_slope * find_loudness(batch.changes);
   if (added_ + batch.sounds.size() > sounds_between_carries || !(bound_ + loudness <= FixedPoint::limit)) {

@@ -116,11 +116,11 @@ const Spreading& Spreading::band_limited() {
 }
 
 Spreading::Spreading(std::size_t groups, const Formula& formula, std::vector<std::vector<double>> filters, double slope)
-    : groups_(groups), filters_(std::move(filters)), slope_(slope) {
+    : groups_(groups), filters_(std::move(filters)), slope_(slope), table_(cells * 4 * width() / pack_size) {
   constexpr double step = 1.0 / cells;
   constexpr double tiny = step / 8.0;
-  for (int cell = 0; cell < cells; ++cell) {
-    const double begin = cell * step;
+  for (std::size_t cell = 0; cell < cells; ++cell) {
+    const double begin = static_cast<double>(cell) * step;
     std::array<std::vector<double>, 5> about_begin, about_end;
     for (std::size_t i = 0; i < about_begin.size(); ++i) {
       about_begin[i] = formula(begin + tiny * (static_cast<double>(i) - 2.0));
@@ -134,9 +134,12 @@ Spreading::Spreading(std::size_t groups, const Formula& formula, std::vector<std
                (step / (12.0 * tiny));
       };
       const Lanes4 rise = value(about_end, 2) - value(about_begin, 2);
-      table_.push_back({value(about_begin, 2), rise_of(about_begin),
-                        3.0 * rise - 2.0 * rise_of(about_begin) - rise_of(about_end),
-                        rise_of(about_begin) + rise_of(about_end) - 2.0 * rise});
+      const std::array<Lanes4, 4> cubic = {value(about_begin, 2), rise_of(about_begin),
+                                           3.0 * rise - 2.0 * rise_of(about_begin) - rise_of(about_end),
+                                           rise_of(about_begin) + rise_of(about_end) - 2.0 * rise};
+      for (std::size_t power = 0; power < cubic.size(); ++power) {
+        put(cubic.at(power), table_.data()->values.data() + (4 * cell + power) * width() + lane_count * group);
+      }
     }
   }
 }

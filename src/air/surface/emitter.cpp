@@ -65,9 +65,9 @@ void Emitter::fade(Emission& emission) {
 }
 
 void Emitter::block_constant(const std::vector<double>& low_passed, std::vector<double>& pressure) const {
-  for (std::size_t number = 0; number < pressure.size(); number += lane_count) {
-    const Lanes4 kept = (1.0 - dc_loss_) * load(&without_constant_[number]);
-    const Lanes4 changed = load(&low_passed[number]) - load(&low_passed_[number]);
+  for (std::size_t number = 0; number < pressure.size(); number += wide_count) {
+    const WideLanes kept = (1.0 - dc_loss_) * load<WideLanes>(&without_constant_[number]);
+    const WideLanes changed = load<WideLanes>(&low_passed[number]) - load<WideLanes>(&low_passed_[number]);
     put(kept + changed, &pressure[number]);
   }
 }

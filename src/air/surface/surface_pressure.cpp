@@ -78,14 +78,14 @@ void SurfacePressure::start(std::span<const double> plane_wave) {
 
 void SurfacePressure::step(std::span<const double> before, std::span<const double> now, std::span<double> pressure) {
   std::ranges::copy(now, pressure.begin());
-  for (std::size_t i = 0; i < memory_[0].size(); i += lane_count) {
-    const auto part = [i](const ComplexValues& parts, std::size_t which) { return load(&parts[which][i]); };
-    const Lanes4 then = load(&before[i]);
-    const Lanes4 plane_wave = load(&now[i]);
-    const Lanes4 real = part(decay_, 0) * part(memory_, 0) - part(decay_, 1) * part(memory_, 1) +
-                        part(before_, 0) * then + part(now_, 0) * plane_wave;
-    const Lanes4 imaginary = part(decay_, 0) * part(memory_, 1) + part(decay_, 1) * part(memory_, 0) +
-                             part(before_, 1) * then + part(now_, 1) * plane_wave;
+  for (std::size_t i = 0; i < memory_[0].size(); i += wide_count) {
+    const auto part = [i](const ComplexValues& parts, std::size_t which) { return load<WideLanes>(&parts[which][i]); };
+    const WideLanes then = load<WideLanes>(&before[i]);
+    const WideLanes plane_wave = load<WideLanes>(&now[i]);
+    const WideLanes real = part(decay_, 0) * part(memory_, 0) - part(decay_, 1) * part(memory_, 1) +
+                           part(before_, 0) * then + part(now_, 0) * plane_wave;
+    const WideLanes imaginary = part(decay_, 0) * part(memory_, 1) + part(decay_, 1) * part(memory_, 0) +
+                                part(before_, 1) * then + part(now_, 1) * plane_wave;
     put(real, &memory_[0][i]);
     put(imaginary, &memory_[1][i]);
     put(plane_wave - (gain_.real() * real - gain_.imag() * imaginary), &pressure[i]);

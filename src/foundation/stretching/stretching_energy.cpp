@@ -66,7 +66,9 @@ StretchingEnergy::StretchingEnergy(std::span<const double> linear, std::span<con
     : modes_(modes),
       pairs_(order.pairs),
       places_(modes, order.terms.size() / terms_in_block + 1),
-      products_(pairs_.size(), order.terms.size() / terms_in_block + 1) {
+      products_(pairs_.size(), order.terms.size() / terms_in_block + 1),
+      from_products_(places_.values.size()),
+      slope_matrix_(modes * places_.values.size()) {
   for (std::size_t first = 0; first < order.terms.size(); first += terms_in_block) {
     std::array<std::vector<float>, terms_in_block> of_places, of_products;
     for (std::size_t t = 0; t < terms_in_block && first + t < order.terms.size(); ++t) {
@@ -101,14 +103,30 @@ double StretchingEnergy::at(std::span<const float> places, float bend, std::span
       energy += z[t] * (a[t] + z[t] / 2);
     }
   }
-  std::ranges::transform(std::span(places_.slopes).first(modes_), gradient.begin(),
-                         [bend](float slope) { return bend * slope; });
+  multiply_slopes(places);
+  std::ranges::transform(std::span(places_.slopes).first(modes_), std::span(from_products_).first(modes_),
+                         gradient.begin(), [bend](float slope, float more) { return bend * slope + more; });
+  return energy;
+}
+
+/// V changes by the sum over pairs of slope d(q_i q_j), the product of a symmetric matrix with q.
+void StretchingEnergy::multiply_slopes(std::span<const float> places) {
+  const std::size_t width = from_products_.size();
   for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
     const auto [i, j] = pairs_[pair];
-    gradient[i] += products_.slopes[pair] * places[j];
-    gradient[j] += products_.slopes[pair] * places[i];
+    slope_matrix_[i * width + j] = slope_matrix_[j * width + i] = products_.slopes[pair];
   }
-  return energy;
+  for (std::size_t mode = 0; mode < modes_; ++mode) {
+    slope_matrix_[mode * (width + 1)] *= 2;
+  }
+  std::ranges::fill(from_products_, 0.0F);
+  for (std::size_t mode = 0; mode < modes_; ++mode) {
+    const float place = places[mode];
+    const float* row = &slope_matrix_[mode * width];
+    for (std::size_t other = 0; other < width; ++other) {
+      from_products_[other] += place * row[other];
+    }
+  }
 }
 
 std::size_t StretchingEnergy::operations() const {
@@ -117,7 +135,8 @@ std::size_t StretchingEnergy::operations() const {
 
 std::size_t StretchingEnergy::bytes() const {
   const std::size_t blocks = products_.coefficients.size() + places_.coefficients.size();
-  return blocks * (sizeof(Block) + sizeof(std::size_t)) + pairs_.size() * (sizeof(ModePair) + 2 * sizeof(float));
+  return blocks * (sizeof(Block) + sizeof(std::size_t)) + pairs_.size() * (sizeof(ModePair) + 2 * sizeof(float)) +
+         slope_matrix_.size() * sizeof(float);
 }
 
 }  // namespace idiophone::stretching

@@ -35,7 +35,7 @@ void Arrivals::add(std::int64_t sample, double pressure, double delay) {
   const auto first = static_cast<std::size_t>(density * sample + cell.before + spreading_->first_entry());
   const std::size_t mask = ring_.size() - 1;
   for (std::size_t group = 0; group < spreading_->width() / lane_count; ++group) {
-    const Lanes4 weights = spreading_->sound(cell, group);
+    const Lanes4 weights = spreading_->weights().sound(cell, group);
     const std::size_t place = (first + group * lane_count) & mask;
     if (place + lane_count <= ring_.size()) {
       put(load(&ring_[place]) + pressure * weights, &ring_[place]);

@@ -16,13 +16,15 @@ class RandomVibrations {
  public:
   explicit RandomVibrations(const std::vector<double>& frequencies) : frequencies_(frequencies) {}
 
-  /// Of equal energy in all modes on average, [modes]; only their ratios mean something.
-  [[nodiscard]] Eigen::VectorXd draw() {
-    Eigen::VectorXd places(std::ssize(frequencies_));
-    for (Eigen::Index mode = 0; mode < places.size(); ++mode) {
-      // std::uniform_real_distribution may differ between libraries.
-      const double random = static_cast<double>(generator_()) / static_cast<double>(std::mt19937_64::max());
-      places[mode] = (2 * random - 1) * frequencies_.front() / frequencies_[static_cast<std::size_t>(mode)];
+  /// Of equal energy in all modes on average, [modes x count]; only their ratios mean something.
+  [[nodiscard]] Eigen::MatrixXd draw(Eigen::Index count) {
+    Eigen::MatrixXd places(std::ssize(frequencies_), count);
+    for (Eigen::Index n = 0; n < count; ++n) {
+      for (Eigen::Index mode = 0; mode < places.rows(); ++mode) {
+        // std::uniform_real_distribution may differ between libraries.
+        const double random = static_cast<double>(generator_()) / static_cast<double>(std::mt19937_64::max());
+        places(mode, n) = (2 * random - 1) * frequencies_.front() / frequencies_[static_cast<std::size_t>(mode)];
+      }
     }
     return places;
   }
@@ -32,31 +34,39 @@ class RandomVibrations {
   std::mt19937_64 generator_;
 };
 
+/// Takes what an orthonormal basis contains from some vectors.
+void remove(const Eigen::Ref<const Eigen::MatrixXd>& basis, Eigen::Ref<Eigen::MatrixXd> vectors) {
+  for (int again = 0; again < 2; ++again) {  // once more for what rounding left
+    vectors -= basis * (basis.transpose() * vectors).eval();
+  }
+}
+
 /// [size of the space, strains] Orthonormal strains that hold all but a share of what random vibrations stretch.
 /// @param shapes  [3 x nodes, modes]
 Eigen::MatrixXd find_range(const StrainSpace& space, const StaticStretch& statics, const Eigen::MatrixXd& shapes,
                            const std::vector<double>& frequencies, double tolerance) {
-  constexpr int enough = 8;  // draws that hold nothing new, one after another
+  constexpr int enough = 8;             // draws that hold nothing new, one after another
+  constexpr Eigen::Index at_once = 16;  // draws whose strains are computed together
   RandomVibrations vibrations(frequencies);
-  std::vector<Eigen::VectorXd> found;
+  Eigen::MatrixXd range(space.size(), 0);
   for (int passed = 0; passed < enough;) {
-    const Eigen::VectorXd strain = statics.remainder(space.quadratic(shapes * vibrations.draw()));
-    Eigen::VectorXd rest = strain;
-    for (int again = 0; again < 2; ++again) {  // once more for what rounding left
-      for (const Eigen::VectorXd& known : found) {
-        rest -= known.dot(rest) * known;
+    const Eigen::MatrixXd strains = statics.remainders(space.quadratic(shapes * vibrations.draw(at_once)));
+    Eigen::MatrixXd rests = strains;
+    remove(range, rests);
+    const Eigen::Index known = range.cols();
+    range.conservativeResize(Eigen::NoChange, known + at_once);
+    Eigen::Index found = known;
+    for (Eigen::Index n = 0; n < at_once && passed < enough; ++n) {
+      auto rest = rests.col(n);
+      remove(range.middleCols(known, found - known), rest);
+      if (rest.squaredNorm() <= tolerance * strains.col(n).squaredNorm()) {
+        ++passed;
+        continue;
       }
+      passed = 0;
+      range.col(found++) = rest.normalized();
     }
-    if (rest.squaredNorm() <= tolerance * strain.squaredNorm()) {
-      ++passed;
-      continue;
-    }
-    passed = 0;
-    found.push_back(rest.normalized());
-  }
-  Eigen::MatrixXd range(space.size(), std::ssize(found));
-  for (Eigen::Index n = 0; n < range.cols(); ++n) {
-    range.col(n) = found[static_cast<std::size_t>(n)];
+    range.conservativeResize(Eigen::NoChange, found);
   }
   return range;
 }
@@ -98,10 +108,7 @@ modal_bodies::Stretching find_stretching(const Operators& operators, const mesh:
   const Eigen::MatrixXd range = find_range(space, statics, shapes, basis.frequencies, tolerance);
 
   modal_bodies::Stretching found;
-  Eigen::MatrixXd linear(modes, range.cols());
-  for (Eigen::Index mode = 0; mode < modes; ++mode) {
-    linear.row(mode) = space.linear(shapes.col(mode)).transpose() * range;
-  }
+  const Eigen::MatrixXd linear = space.linear(shapes).transpose() * range;
   found.linear.assign(linear.reshaped().begin(), linear.reshaped().end());
   for (const Eigen::MatrixXd& product : space.products(range, shapes)) {
     found.quadratic.insert(found.quadratic.end(), product.reshaped().begin(), product.reshaped().end());

@@ -20,42 +20,57 @@ ShiftedStiffness::ShiftedStiffness(const Operators& operators, double shift) : o
   petsc(PCFactorGetMatrix(factors, &factored_));
 }
 
+void ShiftedStiffness::solve(PetscInt columns, const std::function<parallel::Handle<Vec>(PetscInt column)>& right,
+                             const std::function<void(PetscInt column, Vec right, Vec solution)>& take) const {
+  parallel::Handle<Mat> rights;
+  parallel::Handle<Mat> solutions;
+  petsc(MatCreateSeqDense(PETSC_COMM_SELF, operators_.size(), columns, nullptr, rights.out()));
+  petsc(MatCreateSeqDense(PETSC_COMM_SELF, operators_.size(), columns, nullptr, solutions.out()));
+  for (PetscInt i = 0; i < columns; ++i) {
+    const parallel::Handle<Vec> values = right(i);
+    Vec column = nullptr;
+    petsc(MatDenseGetColumnVecWrite(rights, i, &column));
+    petsc(VecCopy(values, column));
+    petsc(MatDenseRestoreColumnVecWrite(rights, i, &column));
+  }
+  petsc(MatMatSolve(factored_, rights, solutions));
+  for (PetscInt i = 0; i < columns; ++i) {
+    Vec given = nullptr;
+    Vec solution = nullptr;
+    petsc(MatDenseGetColumnVecRead(rights, i, &given));
+    petsc(MatDenseGetColumnVecRead(solutions, i, &solution));
+    take(i, given, solution);
+    petsc(MatDenseRestoreColumnVecRead(solutions, i, &solution));
+    petsc(MatDenseRestoreColumnVecRead(rights, i, &given));
+  }
+}
+
 std::vector<double> ShiftedStiffness::flexibilities(std::span<const Index> nodes,
                                                     std::span<const Vector3> directions) const {
-  parallel::Handle<Mat> forces;
-  parallel::Handle<Mat> displacements;
-  const auto count = static_cast<PetscInt>(nodes.size());
-  petsc(MatCreateSeqDense(PETSC_COMM_SELF, operators_.size(), count, nullptr, forces.out()));
-  petsc(MatCreateSeqDense(PETSC_COMM_SELF, operators_.size(), count, nullptr, displacements.out()));
-  for (PetscInt i = 0; i < count; ++i) {
-    std::vector<double> field(3 * operators_.support().size());
-    Vector3::Map(&field[3 * static_cast<std::size_t>(nodes[i])]) = directions[i];
-    const parallel::Handle<Vec> force = operators_.restricted(field);
-    Vec column = nullptr;
-    petsc(MatDenseGetColumnVecWrite(forces, i, &column));
-    petsc(VecCopy(force, column));
-    petsc(MatDenseRestoreColumnVecWrite(forces, i, &column));
-  }
-  petsc(MatMatSolve(factored_, forces, displacements));
   std::vector<double> found(nodes.size());
-  for (PetscInt i = 0; i < count; ++i) {
-    Vec force = nullptr;
-    Vec displacement = nullptr;
-    petsc(MatDenseGetColumnVecRead(forces, i, &force));
-    petsc(MatDenseGetColumnVecRead(displacements, i, &displacement));
-    petsc(VecDot(force, displacement, &found[i]));
-    petsc(MatDenseRestoreColumnVecRead(displacements, i, &displacement));
-    petsc(MatDenseRestoreColumnVecRead(forces, i, &force));
-  }
+  solve(
+      static_cast<PetscInt>(nodes.size()),
+      [&](PetscInt i) {
+        std::vector<double> field(3 * operators_.support().size());
+        Vector3::Map(&field[3 * static_cast<std::size_t>(nodes[i])]) = directions[i];
+        return operators_.restricted(field);
+      },
+      [&](PetscInt i, Vec force, Vec displacement) { petsc(VecDot(force, displacement, &found[i])); });
   return found;
 }
 
-std::vector<double> ShiftedStiffness::displacements(const std::vector<double>& forces) const {
-  const parallel::Handle<Vec> force = operators_.restricted(forces);
-  parallel::Handle<Vec> displacement;
-  petsc(VecDuplicate(force, displacement.out()));
-  petsc(MatSolve(factored_, force, displacement));
-  return operators_.extended(displacement);
+Eigen::MatrixXd ShiftedStiffness::displacements(const Eigen::MatrixXd& forces) const {
+  Eigen::MatrixXd found(forces.rows(), forces.cols());
+  solve(
+      static_cast<PetscInt>(forces.cols()),
+      [&](PetscInt i) {
+        return operators_.restricted({forces.col(i).begin(), forces.col(i).end()});
+      },
+      [&](PetscInt i, Vec /*force*/, Vec displacement) {
+        const std::vector<double> field = operators_.extended(displacement);
+        found.col(i) = Eigen::Map<const Eigen::VectorXd>(field.data(), std::ssize(field));
+      });
+  return found;
 }
 
 }  // namespace idiophone::eigenmodes

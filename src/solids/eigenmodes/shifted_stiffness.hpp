@@ -3,6 +3,8 @@
 
 #include <petscksp.h>
 
+#include <Eigen/Core>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -24,11 +26,16 @@ class ShiftedStiffness {
   [[nodiscard]] std::vector<double> flexibilities(std::span<const Index> nodes,
                                                   std::span<const Vector3> directions) const;
 
-  /// The displacements under forces. [3 x nodes] m
-  /// @param forces  [3 x nodes] N
-  [[nodiscard]] std::vector<double> displacements(const std::vector<double>& forces) const;
+  /// The displacements under forces. [3 x nodes, cases] m
+  /// @param forces  [3 x nodes, cases] N; many cases at once are several times as fast
+  [[nodiscard]] Eigen::MatrixXd displacements(const Eigen::MatrixXd& forces) const;
 
  private:
+  /// Solves for several right-hand sides at once.
+  /// @param take  gets each with its solution
+  void solve(PetscInt columns, const std::function<parallel::Handle<Vec>(PetscInt column)>& right,
+             const std::function<void(PetscInt column, Vec right, Vec solution)>& take) const;
+
   const Operators& operators_;
   parallel::Handle<Mat> matrix_;
   parallel::Handle<KSP> solver_;

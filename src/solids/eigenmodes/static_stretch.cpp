@@ -34,12 +34,12 @@ StaticStretch::StaticStretch(const Operators& operators, const StrainSpace& spac
       as_vector(basis.shapes).reshaped(masses_.size(), std::ssize(basis.frequencies));
 }
 
-Eigen::VectorXd StaticStretch::remainder(const Eigen::VectorXd& strain) const {
-  Eigen::VectorXd force = -space_.forces(strain);
-  force -= masses_.asDiagonal() * (kept_ * (kept_.transpose() * force)).eval();
-  Eigen::VectorXd stretch = as_vector(stiffness_.displacements({force.begin(), force.end()}));
-  stretch -= kept_ * (kept_.transpose() * (masses_.asDiagonal() * stretch));
-  return strain + space_.linear(stretch);
+Eigen::MatrixXd StaticStretch::remainders(const Eigen::MatrixXd& strains) const {
+  Eigen::MatrixXd forces = -space_.forces(strains);
+  forces -= masses_.asDiagonal() * (kept_ * (kept_.transpose() * forces)).eval();
+  Eigen::MatrixXd stretches = stiffness_.displacements(forces);
+  stretches -= kept_ * (kept_.transpose() * (masses_.asDiagonal() * stretches)).eval();
+  return strains + space_.linear(stretches);
 }
 
 }  // namespace idiophone::eigenmodes

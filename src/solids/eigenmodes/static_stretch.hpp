@@ -24,9 +24,9 @@ class StaticStretch {
   StaticStretch(const Operators& operators, const StrainSpace& space, const modal_bodies::ModalBasis& basis,
                 const std::vector<std::vector<double>>& rigid, double shift);
 
-  /// The strain that remains of b with the displacement w that makes it least, b + e(w). All w count that are
-  /// orthogonal, by the mass, to the modes of the basis and to rigid motions.
-  [[nodiscard]] Eigen::VectorXd remainder(const Eigen::VectorXd& strain) const;
+  /// What remains of each strain b with the displacement w that makes it least, b + e(w). All w count that are
+  /// orthogonal, by the mass, to the modes of the basis and to rigid motions. [size of the space, strains]
+  [[nodiscard]] Eigen::MatrixXd remainders(const Eigen::MatrixXd& strains) const;
 
  private:
   const StrainSpace& space_;

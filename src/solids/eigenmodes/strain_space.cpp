@@ -68,33 +68,34 @@ void StrainSpace::for_each_element(const std::function<void(const Element& eleme
   }
 }
 
-Eigen::VectorXd StrainSpace::strain(
-    const Eigen::VectorXd& field,
-    const std::function<Eigen::Matrix3d(const Eigen::Matrix3d& gradient)>& strain_of) const {
-  Eigen::VectorXd result(size());
+template <class StrainOf>
+Eigen::MatrixXd StrainSpace::strains(const Eigen::Ref<const Eigen::MatrixXd>& fields, const StrainOf& strain_of) const {
+  Eigen::MatrixXd result(size(), fields.cols());
   for_each_element([&](const Element& element) {
-    const Eigen::MatrixXd gradients = at_nodes(field, element.nodes) * element.slopes;
+    const Eigen::MatrixXd gradients = at_nodes(fields, element.nodes) * element.slopes;
     for (Eigen::Index p = 0; p < element.points(); ++p) {
-      const Eigen::Matrix3d full = strain_of(gradients.middleCols<3>(3 * p));
-      Eigen::Vector<double, 6> strain;
-      for (int c = 0; c < 6; ++c) {
-        strain[c] = (c < 3 ? 1 : 2) * full(direction_pairs[c][0], direction_pairs[c][1]);
+      const Eigen::Matrix<double, 6, 6> root = std::sqrt(element.volumes[p]) * roots_[element.region].transpose();
+      for (Eigen::Index field = 0; field < fields.cols(); ++field) {
+        const Eigen::Matrix3d full = strain_of(gradients.block<3, 3>(3 * field, 3 * p));
+        Eigen::Vector<double, 6> strain;
+        for (int c = 0; c < 6; ++c) {
+          strain[c] = (c < 3 ? 1 : 2) * full(direction_pairs[c][0], direction_pairs[c][1]);
+        }
+        result.col(field).segment<6>(6 * (element.first + p)) = root * strain;
       }
-      result.segment<6>(6 * (element.first + p)) =
-          std::sqrt(element.volumes[p]) * roots_[element.region].transpose() * strain;
     }
   });
   return result;
 }
 
-Eigen::VectorXd StrainSpace::linear(const Eigen::VectorXd& field) const {
-  return strain(
-      field, [](const Eigen::Matrix3d& gradient) -> Eigen::Matrix3d { return (gradient + gradient.transpose()) / 2; });
+Eigen::MatrixXd StrainSpace::linear(const Eigen::Ref<const Eigen::MatrixXd>& fields) const {
+  return strains(
+      fields, [](const Eigen::Matrix3d& gradient) -> Eigen::Matrix3d { return (gradient + gradient.transpose()) / 2; });
 }
 
-Eigen::VectorXd StrainSpace::quadratic(const Eigen::VectorXd& field) const {
-  return strain(field,
-                [](const Eigen::Matrix3d& gradient) -> Eigen::Matrix3d { return gradient.transpose() * gradient / 2; });
+Eigen::MatrixXd StrainSpace::quadratic(const Eigen::Ref<const Eigen::MatrixXd>& fields) const {
+  return strains(
+      fields, [](const Eigen::Matrix3d& gradient) -> Eigen::Matrix3d { return gradient.transpose() * gradient / 2; });
 }
 
 Eigen::MatrixXd StrainSpace::stresses_of(const Eigen::Ref<const Eigen::MatrixXd>& strains,
@@ -107,20 +108,22 @@ Eigen::MatrixXd StrainSpace::stresses_of(const Eigen::Ref<const Eigen::MatrixXd>
   return stresses;
 }
 
-Eigen::VectorXd StrainSpace::forces(const Eigen::VectorXd& strain) const {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(3 * std::ssize(reference_));
+Eigen::MatrixXd StrainSpace::forces(const Eigen::Ref<const Eigen::MatrixXd>& strains) const {
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3 * std::ssize(reference_), strains.cols());
   for_each_element([&](const Element& element) {
-    const Eigen::VectorXd listed = stresses_of(strain, element);
-    Eigen::Matrix3Xd stresses(3, 3 * element.points());
-    for (Eigen::Index p = 0; p < element.points(); ++p) {
-      for (int c = 0; c < 6; ++c) {
-        const auto [i, j] = direction_pairs[c];
-        stresses(i, 3 * p + j) = stresses(j, 3 * p + i) = listed[6 * p + c];
+    const Eigen::MatrixXd listed = stresses_of(strains, element);
+    Eigen::MatrixXd stresses(3 * strains.cols(), 3 * element.points());
+    for (Eigen::Index n = 0; n < strains.cols(); ++n) {
+      for (Eigen::Index p = 0; p < element.points(); ++p) {
+        for (int c = 0; c < 6; ++c) {
+          const auto [i, j] = direction_pairs[c];
+          stresses(3 * n + i, 3 * p + j) = stresses(3 * n + j, 3 * p + i) = listed(6 * p + c, n);
+        }
       }
     }
-    const Eigen::Matrix3Xd nodal = stresses * element.slopes.transpose();
+    const Eigen::MatrixXd nodal = stresses * element.slopes.transpose();
     for (Eigen::Index a = 0; a < nodal.cols(); ++a) {
-      result.segment<3>(3 * element.nodes[static_cast<std::size_t>(a)]) += nodal.col(a);
+      result.middleRows<3>(3 * element.nodes[static_cast<std::size_t>(a)]).reshaped() += nodal.col(a);
     }
   });
   return result;

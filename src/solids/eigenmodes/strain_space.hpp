@@ -13,7 +13,7 @@ namespace idiophone::eigenmodes {
 
 /// A strain e is the vector of sqrt(v) L^T e at all quadrature points: v is the volume of a point (m3), C = L L^T the
 /// stiffness, and shears count twice in e. So the product of two strains is the integral of e : C : e', J. A field is
-/// [3 x nodes], m.
+/// [3 x nodes], m; several are columns.
 class StrainSpace {
  public:
   /// @param body       all of it is on this rank
@@ -25,15 +25,15 @@ class StrainSpace {
   /// [6 x points] How many numbers a strain has.
   [[nodiscard]] Eigen::Index size() const { return 6 * points_; }
 
-  /// Linear strain of a field u: the symmetric part of grad u.
-  [[nodiscard]] Eigen::VectorXd linear(const Eigen::VectorXd& field) const;
+  /// Linear strains of fields u: the symmetric part of grad u. [size() x fields]
+  [[nodiscard]] Eigen::MatrixXd linear(const Eigen::Ref<const Eigen::MatrixXd>& fields) const;
 
-  /// The rest of Green's strain of a field u: 1/2 (grad u)^T grad u.
-  [[nodiscard]] Eigen::VectorXd quadratic(const Eigen::VectorXd& field) const;
+  /// The rest of Green's strains of fields u: 1/2 (grad u)^T grad u. [size() x fields]
+  [[nodiscard]] Eigen::MatrixXd quadratic(const Eigen::Ref<const Eigen::MatrixXd>& fields) const;
 
   /// The transpose of `linear`: forces whose work on a field is the product of a strain with the field's, N. [3 x
-  /// nodes]
-  [[nodiscard]] Eigen::VectorXd forces(const Eigen::VectorXd& strain) const;
+  /// nodes, strains]
+  [[nodiscard]] Eigen::MatrixXd forces(const Eigen::Ref<const Eigen::MatrixXd>& strains) const;
 
   /// H with q . H q = product of a strain with quadratic(sum q phi), symmetric. [strains][modes x modes]
   /// @param strains  [size() x strains]
@@ -57,10 +57,10 @@ class StrainSpace {
   };
   void for_each_element(const std::function<void(const Element& element)>& visit) const;
 
-  /// A strain of a field, which `strain_of` finds from the field's gradient.
-  [[nodiscard]] Eigen::VectorXd strain(
-      const Eigen::VectorXd& field,
-      const std::function<Eigen::Matrix3d(const Eigen::Matrix3d& gradient)>& strain_of) const;
+  /// Strains of fields, which `strain_of` finds from a field's gradient.
+  template <class StrainOf>
+  [[nodiscard]] Eigen::MatrixXd strains(const Eigen::Ref<const Eigen::MatrixXd>& fields,
+                                        const StrainOf& strain_of) const;
 
   /// v sigma of the parts of strains that an element has, J. [6 x points, strains]
   [[nodiscard]] Eigen::MatrixXd stresses_of(const Eigen::Ref<const Eigen::MatrixXd>& strains,

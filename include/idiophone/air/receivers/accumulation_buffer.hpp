@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "idiophone/air/radiation/radiation.hpp"
+#include "idiophone/air/receivers/entry_sums.hpp"
 #include "idiophone/air/receivers/spreading.hpp"
 #include "idiophone/foundation/parallel/reproducible_sum.hpp"
 
@@ -47,19 +48,14 @@ class AccumulationBuffer {
   void restore(std::int64_t first, std::vector<FixedPoint> entries);
 
  private:
-  /// The arguments of one call of add(), or some of them.
-  struct Batch {
-    std::span<const double> sounds, changes, delays;
-  };
-  void add_batch(std::int64_t sample, const Batch& batch);
-  template <bool with_changes>
-  void spread(const Batch& batch, FixedPoint* entries) const;
-  void keep_in_range(std::int64_t sample, const Batch& batch);
+  void add_batch(std::int64_t sample, const ArrivalBatch& batch);
+  void keep_in_range(std::int64_t sample, const ArrivalBatch& batch);
 
   std::int64_t first_;
   double longest_delay_;
   const Spreading* spreading_;
   std::vector<FixedPoint> entries_;
+  EntrySums sums_;
   std::size_t added_ = 0;  // sounds since all entries were carried
   double bound_ = 0.0;     // no entry's magnitude is above this
 };

@@ -58,16 +58,42 @@ class Spreading {
     return {cell >> cell_bits, static_cast<std::size_t>(cell & (cells - 1)), place - static_cast<double>(cell)};
   }
 
-  /// Weights of the entries first_entry() + 4 group to first_entry() + 4 group + 3 for the sound.
-  [[nodiscard]] Lanes4 sound(const ArrivalCell& at, std::size_t group) const {
-    const Cubic& cubic = table_[at.cell * groups_ + group];
-    return cubic[0] + at.rest * (cubic[1] + at.rest * (cubic[2] + at.rest * cubic[3]));
-  }
-  /// The same for its derivative, which is that of the cubics.
-  [[nodiscard]] Lanes4 change(const ArrivalCell& at, std::size_t group) const {
-    const Cubic& cubic = table_[at.cell * groups_ + group];
-    return slope_ * (cubic[1] + at.rest * (2.0 * cubic[2] + (3.0 * at.rest) * cubic[3]));
-  }
+  /// The weights of the entries around an arrival.
+  class Weights {
+   public:
+    /// For the sound, of the entries that a vector of a group holds: of four lanes, those from first_entry() + 4 group
+    /// on. The bits do not depend on the number of lanes, a divisor of width().
+    template <class Lanes = Lanes4>
+    [[nodiscard]] Lanes sound(const ArrivalCell& at, std::size_t group) const {
+      const auto [a, b, c, d] = cubic<Lanes>(at, group);
+      return a + at.rest * (b + at.rest * (c + at.rest * d));
+    }
+    /// The same for its derivative, which is that of the cubics.
+    template <class Lanes = Lanes4>
+    [[nodiscard]] Lanes change(const ArrivalCell& at, std::size_t group) const {
+      const auto [a, b, c, d] = cubic<Lanes>(at, group);
+      return slope_ * (b + at.rest * (2.0 * c + (3.0 * at.rest) * d));
+    }
+
+   private:
+    friend class Spreading;
+    Weights(const double* table, std::size_t width, double slope) : table_(table), width_(width), slope_(slope) {}
+
+    /// Coefficients of the cubics of some entries.
+    template <class Lanes>
+    [[nodiscard]] std::array<Lanes, 4> cubic(const ArrivalCell& at, std::size_t group) const {
+      const double* row = table_ + 4 * at.cell * width_ + group * (sizeof(Lanes) / sizeof(double));
+      return {load<Lanes>(row), load<Lanes>(row + width_), load<Lanes>(row + 2 * width_),
+              load<Lanes>(row + 3 * width_)};
+    }
+
+    const double* table_;  // as Spreading's
+    std::size_t width_;
+    double slope_;
+  };
+
+  /// Valid as long as this object. A copy of its own is faster in long loops, as nothing else can change it.
+  [[nodiscard]] Weights weights() const { return {table_.data()->values.data(), width(), slope_}; }
 
   /// Filters from entries to audio samples, [density()][2 lookahead() + 1]. Audio sample n is the sum over d and k of
   /// filters[d][k] times entry d of the audio sample n + lookahead() - k.
@@ -80,8 +106,6 @@ class Spreading {
   using Formula = std::function<std::vector<double>(double fraction)>;
 
  private:
-  using Cubic = std::array<Lanes4, 4>;
-
   Spreading(std::size_t groups, const Formula& formula, std::vector<std::vector<double>> filters, double slope);
 
   static constexpr int cell_bits = 7;
@@ -89,7 +113,7 @@ class Spreading {
   std::size_t groups_;                          // of four entries
   std::vector<std::vector<double>> filters_;    // from entries to audio samples
   double slope_;                                // from a cubic's derivative to that with respect to time; 0: has none
-  std::vector<Cubic> table_;                    // [cells][groups]
+  std::vector<AlignedBlock> table_;             // [cells][4 powers][width] coefficients, one after another
 };
 
 /// The splat's formula.

@@ -67,10 +67,15 @@ class StretchingEnergy {
     std::vector<std::size_t> ends;      // [blocks] in the coefficients
   };
 
+  /// Finds the gradient of the products of places from their slopes.
+  void multiply_slopes(std::span<const float> places);
+
   std::size_t modes_;
   std::vector<ModePair> pairs_;  // in the order of their products
   Variables places_;
   Variables products_;
+  std::vector<float> from_products_;  // [modes, and zeros up to whole packs] of the gradient
+  std::vector<float> slope_matrix_;   // [modes x the same] slopes of the products of two places
 };
 
 }  // namespace idiophone::stretching

@@ -33,7 +33,7 @@ struct ModalBasis {
 using ModalBases = std::map<std::size_t, ModalBasis>;
 
 /// Frequency at which the residual flexibility may follow a force, rad/s: twice that of the model's highest mode, and
-/// of 40 kHz at least. A modal body's step resolves it.
+/// of 40 kHz at least, of 20 kHz where the modes stretch the body. A modal body's step resolves it.
 [[nodiscard]] double residual_frequency(const ModalBasis& basis);
 
 }  // namespace idiophone::modal_bodies
