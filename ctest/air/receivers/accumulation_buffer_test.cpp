@@ -116,6 +116,21 @@ TEST(AccumulationBuffer, DoesNotDependOnOrderOrParts) {
   EXPECT_EQ(whole.pending(), parts.pending());
 }
 
+TEST(AccumulationBuffer, AddsManySoundsAtOnceAsOneByOne) {
+  Arrivals all = make_random(4096 + 40, 7);
+  all.change = make_random(all.sound.size(), 8).sound;
+  const Spreading& spreading = Spreading::band_limited();
+  AccumulationBuffer whole(-5, longest, spreading), parts(-5, longest, spreading);
+  whole.add(10, all);
+  for (std::size_t begin = 0; begin < all.sound.size(); begin += 4) {
+    const auto part = [&](const std::vector<double>& values) {
+      return std::vector<double>(&values[begin], &values[begin] + 4);
+    };
+    parts.add(10, {part(all.sound), part(all.change), part(all.delay)});
+  }
+  EXPECT_EQ(whole.pending(), parts.pending());
+}
+
 ON_RANKS(1, 3);
 
 TEST(AccumulationBuffer, IsTheSameOnAnyNumberOfRanks) {
@@ -178,7 +193,7 @@ TEST(AccumulationBuffer, TakesTheSameInBlocksOfAnySize) {
 
 TEST(AccumulationBuffer, DoesNotOverflowInMillionsOfAdditions) {
   // The fine part of the largest tap is almost as large as it can be, so 2^24.2 of them exceed 63 bits.
-  const double sound = 1000.45 * 0x1p-30 / splat.sound(Spreading::cell_of(5.0), 0)[1];
+  const double sound = 1000.45 * 0x1p-30 / splat.weights().sound(Spreading::cell_of(5.0), 0)[1];
   const std::size_t at_once = 1 << 16;
   constexpr int times = 600;  // 39 million
   const Arrivals arrivals{std::vector<double>(at_once, sound), {}, std::vector<double>(at_once, 5.0)};

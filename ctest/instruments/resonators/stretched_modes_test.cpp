@@ -197,11 +197,11 @@ TEST(StretchedModes, ExchangeEnergyWithContacts) {
   EXPECT_GT(first.energy() + second.energy(), 1e-4 * start);
 }
 
-// Far away, the pressure of a velocity v with the frequency w that is heard by R + i X is R v + X v'/w.
-TEST(StretchedModes, SoundByTheirVelocitiesAndAccelerations) {
+// The pressure of a velocity v whose mode of the frequency w is heard by R + i X is X v'/w - R v''/w^2.
+TEST(StretchedModes, SoundByTheirAccelerationsAndTheChangeOfThem) {
   const StretchedBody body{
       .frequencies = {160, 270, 2000}, .linear = {0, 0, 6000}, .quadratic = {50, 0, 0, 0, 0, 0, 0, 0, 0}};
-  constexpr double real = 0.3, imaginary = 2.0;
+  constexpr double real = 20.0, imaginary = 2.0, w = 2 * std::numbers::pi * 2000;
   const std::vector<ModeGroup> gains = in_groups(std::vector<Complex>{0.0, 0.0, {real, imaginary}});
   ResonatorBank bank(body.turns(), body.modes());
   const std::vector<ForcePiece> force(1, {.mean = 3000.0 * rate, .slope = 0.0});
@@ -218,7 +218,8 @@ TEST(StretchedModes, SoundByTheirVelocitiesAndAccelerations) {
   double error = 0.0, largest = 0.0;
   for (std::size_t i = 10; i + 1 < sound.size(); ++i) {
     const double acceleration = (velocity[i + 1] - velocity[i - 1]) * rate / 2;
-    const double expected = real * velocity[i] + imaginary * acceleration / (2 * std::numbers::pi * 2000);
+    const double change = (velocity[i + 1] - 2 * velocity[i] + velocity[i - 1]) * rate * rate;
+    const double expected = imaginary * acceleration / w - real * change / (w * w);
     error = std::max(error, std::abs(sound[i] - expected));
     largest = std::max(largest, std::abs(expected));
   }

@@ -66,6 +66,9 @@ void StretchedModes::retune(std::span<const ModeGroup> turns, double size) {
     factors.by_mean.imaginary[p][lane] = by_mean.imag();
     factors.by_following.real[p][lane] = by_following.real();
     factors.by_following.imaginary[p][lane] = by_following.imag();
+    const Complex by_change = by_following / exponent * static_cast<double>(rate_);
+    factors.by_change.real[p][lane] = by_change.real();
+    factors.by_change.imaginary[p][lane] = by_change.imag();
     factors.period[p][lane] = sounds ? 1.0 / exponent.imag() : 0.0;
     factors.slip[p][lane] = -exponent.real() / exponent.imag();
     factors.stiffness[p][lane] = std::norm(exponent);
@@ -184,15 +187,18 @@ void StretchedModes::find_force(std::span<const ModeGroup> before, std::span<con
   free_root_ = (root_ + product(gradient_, ways_) / 2) / (1 + response_ / 2);
 }
 
-/// The force is constant in a sample. At the beginning it is the mean of this and the last one.
+/// The force is constant in a sample. At the beginning it is the mean of this and the last one, and changes by their
+/// difference in a sample.
 void StretchedModes::follow(double mean_root) {
   for (std::size_t group = 0; group < forces_.size(); ++group) {
-    const ModeGroup& by_following = factors_[group].by_following;
+    const Factors& factors = factors_[group];
     for (std::size_t p = 0; p < packs_in_group; ++p) {
       const ModePack force = -mean_root * gradient_[group][p];
       const ModePack at_beginning = (forces_[group][p] + force) / 2;
-      following_[group].real[p] = by_following.real[p] * at_beginning;
-      following_[group].imaginary[p] = by_following.imaginary[p] * at_beginning;
+      const ModePack change = force - forces_[group][p];
+      following_[group].real[p] = factors.by_following.real[p] * at_beginning + factors.by_change.real[p] * change;
+      following_[group].imaginary[p] =
+          factors.by_following.imaginary[p] * at_beginning + factors.by_change.imaginary[p] * change;
       forces_[group][p] = force;
     }
   }

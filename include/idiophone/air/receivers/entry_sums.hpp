@@ -11,7 +11,7 @@
 
 namespace idiophone::receivers {
 
-/// Some arrivals of an emission, as radiation::Arrivals; a multiple of 4.
+/// Some arrivals of an emission, as radiation::Arrivals.
 struct ArrivalBatch {
   std::span<const double> sounds, changes, delays;
 };
@@ -21,7 +21,7 @@ struct ReachedEntries {
   std::size_t begin, end;
 };
 
-/// @param delays  audio samples, 0 to 2^40
+/// @param delays  a multiple of 4, audio samples, 0 to 2^40
 [[nodiscard]] ReachedEntries reached_entries(std::span<const double> delays, const Spreading& spreading);
 
 /// Adds each tap as a whole number, so no sum depends on the order.
@@ -33,12 +33,13 @@ class EntrySums {
            std::span<FixedPoint> entries);
 
  private:
-  /// Sums of reached entries, of a few sounds in turn: a processor waits where it reads what it wrote a moment ago.
-  static constexpr std::size_t turns = 4;
+  /// Sums of the reached entries that take turns: a processor waits where it reads what it wrote a moment ago.
+  static constexpr std::size_t most_turns = 4;
 
-  template <class Lanes>
-  void add(const ArrivalBatch& batch, const Spreading& spreading, const ReachedEntries& reached,
-           std::span<FixedPoint> entries);
+  /// Of sounds that mostly reach the same entries.
+  void add_near(const ArrivalBatch& batch, const Spreading& spreading, const ReachedEntries& reached,
+                std::span<FixedPoint> entries);
+  /// The only code that rounds taps, so that they have the same bits in any batch.
   template <class Lanes, bool with_changes>
   void sum(const ArrivalBatch& batch, const Spreading& spreading, const ReachedEntries& reached);
 

@@ -88,6 +88,7 @@ class StretchedModes {
     ModeGroup half_turn;     ///< in half an audio sample
     ModeGroup by_mean;       ///< z for a constant force of 1 in a sample, s
     ModeGroup by_following;  ///< z of a mode that follows a force of 1, s
+    ModeGroup by_change;     ///< what a change of the force by 1 in a sample adds to that, s
     GroupNumbers period;     ///< displacement over the imaginary part of z, s
     GroupNumbers slip;       ///< decay over damped frequency
     GroupNumbers stiffness;  ///< w^2, 1/s^2
