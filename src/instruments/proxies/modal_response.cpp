@@ -150,6 +150,11 @@ Flexibility ModalResponse::flexibility(const Eigen::VectorXd& stiffness) const {
   return {.matrix = forces.transpose() * displacements, .elongations = elongations(displacements)};
 }
 
+Eigen::MatrixXd ModalResponse::elongations_of_shapes() const {
+  const Eigen::VectorXd frequencies = squares_.cwiseSqrt();
+  return elongations(roots_.cwiseInverse().asDiagonal() * shapes_ * frequencies.cwiseInverse().asDiagonal());
+}
+
 /// Of a lattice, ascending.
 struct ModalResponse::OwnModes {
   Eigen::VectorXd squares;  ///< [modes] (rad/s)^2

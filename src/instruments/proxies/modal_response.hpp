@@ -27,6 +27,9 @@ class ModalResponse {
   /// @param stiffness  of the springs, N/m
   [[nodiscard]] Flexibility flexibility(const Eigen::VectorXd& stiffness) const;
 
+  /// [springs x modes] for x_i/w_i: the energies that the shapes store are the identity if the lattice has these modes.
+  [[nodiscard]] Eigen::MatrixXd elongations_of_shapes() const;
+
   /// Squares of the lowest angular frequencies, as many as modes. Ascending, (rad/s)^2
   [[nodiscard]] Eigen::VectorXd lowest_squares(const Eigen::VectorXd& stiffness) const;
 

@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
-#include "frequency_bound.hpp"
 #include "modal_response.hpp"
+#include "step_limit.hpp"
 
 namespace idiophone::proxies {
 
@@ -15,25 +16,16 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-constexpr double softest = 0.02, stiffest = 3.0;  // factors
+const double least = std::log(0.02), most = std::log(10.0);  // logarithms of the factors
 constexpr double reluctance = 1e-3;     // weight of a logarithm that changes by 1, over a flexibility that errs by 1
 constexpr double share_of_pairs = 0.3;  // weight of what two modes do to each other, over that of one mode
-
-/// What the fit makes small, and how it changes.
-struct Misfit {
-  Vector values;  ///< [pairs of modes]
-  Matrix slopes;  ///< [springs x pairs of modes] by the logarithms of the factors
-};
-
-/// Of factors, as logarithms. [springs]
-struct Limits {
-  Vector least, most;
-};
 
 /// The fit of one lattice.
 class Fit {
  public:
-  Fit(const Lattice& lattice, const ModalResponse& response) : response_(response) {
+  /// @param share_of_shapes  weight of the energies that shapes store, over that of flexibilities
+  Fit(const Lattice& lattice, const ModalResponse& response, const StepLimit& limit, double share_of_shapes)
+      : response_(response), limit_(limit), share_of_shapes_(share_of_shapes) {
     stiffness_.resize(std::ssize(lattice.springs()));
     std::ranges::transform(lattice.springs(), stiffness_.begin(), &Spring::stiffness);
     const Vector& squares = response.known_squares();
@@ -44,20 +36,20 @@ class Fit {
     return stiffness_.cwiseProduct(logarithms.array().exp().matrix());
   }
 
+  [[nodiscard]] Vector logarithms(const Vector& stiffness) const {
+    return stiffness.cwiseQuotient(stiffness_).array().log();
+  }
+
   [[nodiscard]] Misfit misfit(const Vector& logarithms) const {
     const Vector stiffness = this->stiffness(logarithms);
     const auto [matrix, elongations] = response_.flexibility(stiffness);
-    const Eigen::Index modes = matrix.cols();
-    Misfit misfit{.values = Vector(modes * (modes + 1) / 2),
-                  .slopes = Matrix(stiffness.size(), modes * (modes + 1) / 2)};
-    for (Eigen::Index i = 0, pair = 0; i < modes; ++i) {
-      for (Eigen::Index j = 0; j <= i; ++j, ++pair) {
-        const double weight = (i == j ? 1.0 : share_of_pairs) * weights_[i] * weights_[j];
-        misfit.values[pair] = weight * (matrix(i, j) - (i == j ? 1.0 : 0.0));
-        misfit.slopes.col(pair) = -weight * stiffness.cwiseProduct(elongations.col(i)).cwiseProduct(elongations.col(j));
-      }
+    std::vector<Misfit> parts = {from_identity(matrix, elongations, -stiffness, 1.0), limit_.excess(stiffness)};
+    if (share_of_shapes_ > 0.0) {
+      const Matrix of_shapes = response_.elongations_of_shapes();
+      const Matrix energies = of_shapes.transpose() * stiffness.asDiagonal() * of_shapes;
+      parts.push_back(from_identity(energies, of_shapes, stiffness, share_of_shapes_));
     }
-    return misfit;
+    return joined(parts);
   }
 
   /// The factor, the same for all springs, that brings the modes closest; not above 1.
@@ -66,30 +58,46 @@ class Fit {
   }
 
  private:
+  /// @param matrix  [modes x modes] whose entry ij changes by the sum of change e_i e_j over the springs
+  [[nodiscard]] Misfit from_identity(const Matrix& matrix, const Matrix& elongations, const Vector& change,
+                                     double share) const {
+    const Eigen::Index modes = matrix.cols();
+    Misfit misfit{.values = Vector(modes * (modes + 1) / 2), .slopes = Matrix(change.size(), modes * (modes + 1) / 2)};
+    for (Eigen::Index i = 0, pair = 0; i < modes; ++i) {
+      for (Eigen::Index j = 0; j <= i; ++j, ++pair) {
+        const double weight = share * (i == j ? 1.0 : share_of_pairs) * weights_[i] * weights_[j];
+        misfit.values[pair] = weight * (matrix(i, j) - (i == j ? 1.0 : 0.0));
+        misfit.slopes.col(pair) = weight * change.cwiseProduct(elongations.col(i)).cwiseProduct(elongations.col(j));
+      }
+    }
+    return misfit;
+  }
+
+  [[nodiscard]] static Misfit joined(const std::vector<Misfit>& parts) {
+    Eigen::Index residuals = 0;
+    for (const Misfit& part : parts) {
+      residuals += part.values.size();
+    }
+    Misfit whole{.values = Vector(residuals), .slopes = Matrix(parts.front().slopes.rows(), residuals)};
+    Eigen::Index first = 0;
+    for (const Misfit& part : parts) {
+      whole.values.segment(first, part.values.size()) = part.values;
+      whole.slopes.middleCols(first, part.values.size()) = part.slopes;
+      first += part.values.size();
+    }
+    return whole;
+  }
+
   const ModalResponse& response_;
+  const StepLimit& limit_;
+  double share_of_shapes_;
   Vector stiffness_;  ///< [springs] of the lattice, N/m
   Vector weights_;    ///< [modes] high ones matter less: their weights fall as 1/sqrt(w)
 };
 
-/// A spring may become as stiff as its masses allow without a larger bound of the frequencies.
-Limits limits_of(const Lattice& lattice) {
-  const std::vector<double> bounds =
-      frequency_bounds(lattice.mesh().nodes, lattice.springs(), lattice.masses(), lattice.pinned());
-  const double largest = std::ranges::max(bounds);
-  const auto count = std::ssize(lattice.springs());
-  Limits limits{.least = Vector::Constant(count, std::log(softest)), .most = Vector(count)};
-  for (Eigen::Index s = 0; s < count; ++s) {
-    const Spring& spring = lattice.springs()[s];
-    const double bound = std::max(bounds[spring.a], bounds[spring.b]);
-    limits.most[s] = std::log(bound * stiffest < largest ? stiffest : largest / bound);
-  }
-  return limits;
-}
-
 /// The y within limits that minimizes |misfit + slopes (y - x)|^2 + weight |y - centre|^2: springs that would leave the
 /// limits stay there, and the others make up for them.
-Vector minimum_within(const Limits& limits, const Misfit& misfit, const Vector& x, const Vector& centre,
-                      double weight) {
+Vector minimum_within_limits(const Misfit& misfit, const Vector& x, const Vector& centre, double weight) {
   constexpr int most_rounds = 8;
   Vector y = centre;
   Vector is_free = Vector::Ones(x.size());
@@ -100,7 +108,7 @@ Vector minimum_within(const Limits& limits, const Misfit& misfit, const Vector& 
     Matrix products = weight * Matrix::Identity(left.size(), left.size());
     products.selfadjointView<Eigen::Lower>().rankUpdate(slopes.transpose());
     const Vector wanted = begin - slopes * products.selfadjointView<Eigen::Lower>().llt().solve(left);
-    y = wanted.cwiseMax(limits.least).cwiseMin(limits.most);
+    y = wanted.cwiseMax(least).cwiseMin(most);
     const auto stays = (y.array() == wanted.array()).cast<double>();
     if (stays.minCoeff() == 1.0) {
       break;
@@ -113,8 +121,8 @@ Vector minimum_within(const Limits& limits, const Misfit& misfit, const Vector& 
 /// Logarithms of the factors, by Levenberg's and Marquardt's method.
 /// @param x       where it begins
 /// @param centre  from where changes are counted
-Vector fitted(const Fit& fit, const Limits& limits, Vector x, const Vector& centre) {
-  constexpr int most_trials = 25;
+Vector fitted(const Fit& fit, Vector x, const Vector& centre) {
+  constexpr int most_trials = 50;
   constexpr double first_damping = 1e-2, least_damping = 1e-12, largest_damping = 1e6;
   constexpr double enough = 1e-3;  // relative decrease in an iteration
   const double inertia = reluctance * reluctance;
@@ -125,7 +133,7 @@ Vector fitted(const Fit& fit, const Limits& limits, Vector x, const Vector& cent
   double cost = cost_of(misfit, x), damping = first_damping;
   for (int iteration = 0; iteration < most_trials && damping < largest_damping; ++iteration) {
     const Vector between = (inertia * centre + damping * x) / (inertia + damping);
-    const Vector next = minimum_within(limits, misfit, x, between, inertia + damping);
+    const Vector next = minimum_within_limits(misfit, x, between, inertia + damping);
     Misfit of_next = fit.misfit(next);
     const double next_cost = cost_of(of_next, next);
     if (!(next_cost < cost)) {
@@ -175,13 +183,16 @@ std::size_t modes_to_fit(const Lattice& lattice) {
 
 SpringFit fit_springs(const Lattice& lattice, std::span<const KnownMode> modes) {
   ModalResponse response(lattice, modes);
-  const Fit fit(lattice, response);
-  const Limits limits = limits_of(lattice);
-  const Vector even =
-      Vector::Constant(limits.least.size(), std::log(fit.common_factor())).cwiseMax(limits.least).cwiseMin(limits.most);
-  const Vector near = fitted(fit, limits, even, even);
-  response.turn_to_modes(fit.stiffness(near));
-  const Vector logarithms = fitted(fit, limits, near, even);
+  const StepLimit limit(lattice);
+  const Fit with_shapes(lattice, response, limit, 0.05), fit(lattice, response, limit, 0.0);
+  const Vector even = Vector::Constant(std::ssize(lattice.springs()), std::max(std::log(fit.common_factor()), least));
+  Vector logarithms = fitted(with_shapes, even, even);
+  constexpr int turns = 2;  // the fit changes the lattice's modes, so that the first turn is not the last one
+  for (int turn = 0; turn < turns; ++turn) {
+    response.turn_to_modes(fit.stiffness(logarithms));
+    logarithms = fitted(fit, logarithms, even);
+  }
+  logarithms = fit.logarithms(limit.held(fit.stiffness(logarithms)));
   const auto cents_with = [&](const Vector& x) {
     return cents(response.lowest_squares(fit.stiffness(x)), response.known_squares());
   };

@@ -122,9 +122,8 @@ class Lattice {
   [[nodiscard]] const std::vector<bool>& pinned() const { return pinned_; }  ///< [nodes]
   [[nodiscard]] bool is_free() const { return is_free_; }                    ///< nothing is pinned
 
-  /// An upper bound of the angular frequencies without damping, rad/s, from the stiffest mass: the largest of
-  /// sqrt(2 lambda/m), with the largest eigenvalue lambda of the sum of k n n^T over the springs of the mass m. A
-  /// spring with a tension T above 0 adds T/l across n.
+  /// An upper bound of the angular frequencies without damping, rad/s, a few percent above the largest one
+  /// (docs/method/proxies.md, Steps). It counts that a spring under tension also pulls back what moves across it.
   [[nodiscard]] double largest_angular_frequency() const { return largest_angular_frequency_; }
 
   /// The contact at a point of the physics body: where the ray from the centre of mass through the point leaves the

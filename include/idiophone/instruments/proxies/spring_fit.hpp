@@ -26,8 +26,9 @@ struct SpringFit {
 /// Finds factors of the springs with which the lattice yields to the inertial forces of the known modes as the body
 /// does. With the shapes x_i of unit modal mass on the lattice, it is to have x_i^T M K^-1 M x_j = delta_ij/w_i^2; then
 /// it has these modes. Levenberg's and Marquardt's method changes the logarithms of the factors by as little as
-/// possible (docs/method/proxies.md, Fitted springs). They stay between 0.02 and 3, and so that the bound
-/// largest_angular_frequency() does not grow.
+/// possible (docs/method/proxies.md, Fitted springs). Factors stay below 10, and largest_angular_frequency() below
+/// sqrt(2 lambda/m) of the lattice's stiffest mass m, with the largest eigenvalue lambda of the sum of k n n^T over its
+/// springs.
 /// @param lattice  with no spring under tension
 /// @param modes    the lowest ones beside the rigid motions, ascending
 /// @throws std::invalid_argument for springs under tension, shapes of another size, frequencies that are not above 0 or
