@@ -24,8 +24,8 @@ FrequencyBounds bounds_with(std::vector<double> weights, std::span<const Spring>
                             const std::vector<Tensor>& tensors, std::span<const double> masses) {
   std::vector<Tensor> stiffness(masses.size(), Tensor::Zero());
   for (std::size_t s = 0; s < springs.size(); ++s) {
-    const auto& [a, b] = std::pair(springs[s].a, springs[s].b);
-    for (const auto& [mass, other] : {std::pair(a, b), std::pair(b, a)}) {
+    const Spring& spring = springs[s];
+    for (const auto& [mass, other] : {std::pair(spring.a, spring.b), std::pair(spring.b, spring.a)}) {
       if (weights[mass] > 0.0) {
         stiffness[mass] += (1.0 + weights[other] / weights[mass]) * tensors[s];
       }

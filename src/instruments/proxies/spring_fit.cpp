@@ -16,7 +16,7 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-const double least = std::log(0.02), most = std::log(10.0);  // logarithms of the factors
+constexpr double softest = 0.02, stiffest = 10.0;  // factors
 constexpr double reluctance = 1e-3;     // weight of a logarithm that changes by 1, over a flexibility that errs by 1
 constexpr double share_of_pairs = 0.3;  // weight of what two modes do to each other, over that of one mode
 
@@ -108,7 +108,7 @@ Vector minimum_within_limits(const Misfit& misfit, const Vector& x, const Vector
     Matrix products = weight * Matrix::Identity(left.size(), left.size());
     products.selfadjointView<Eigen::Lower>().rankUpdate(slopes.transpose());
     const Vector wanted = begin - slopes * products.selfadjointView<Eigen::Lower>().llt().solve(left);
-    y = wanted.cwiseMax(least).cwiseMin(most);
+    y = wanted.cwiseMax(std::log(softest)).cwiseMin(std::log(stiffest));
     const auto stays = (y.array() == wanted.array()).cast<double>();
     if (stays.minCoeff() == 1.0) {
       break;
@@ -185,7 +185,7 @@ SpringFit fit_springs(const Lattice& lattice, std::span<const KnownMode> modes) 
   ModalResponse response(lattice, modes);
   const StepLimit limit(lattice);
   const Fit with_shapes(lattice, response, limit, 0.05), fit(lattice, response, limit, 0.0);
-  const Vector even = Vector::Constant(std::ssize(lattice.springs()), std::max(std::log(fit.common_factor()), least));
+  const Vector even = Vector::Constant(std::ssize(lattice.springs()), std::log(std::max(fit.common_factor(), softest)));
   Vector logarithms = fitted(with_shapes, even, even);
   constexpr int turns = 2;  // the fit changes the lattice's modes, so that the first turn is not the last one
   for (int turn = 0; turn < turns; ++turn) {
