@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "bodies.hpp"
-#include "step_limit.hpp"
+#include "stiffness_limit.hpp"
 
 namespace idiophone::proxies {
 namespace {
@@ -68,9 +68,9 @@ Eigen::VectorXd stiffness_of_springs(const Lattice& lattice) {
   return stiffness;
 }
 
-TEST(StepLimit, SoftensSpringsOfMassesAboveIt) {
+TEST(StiffnessLimit, SoftensSpringsOfMassesAboveIt) {
   const Lattice lattice = thin_plate();
-  const StepLimit limit(lattice);
+  const StiffnessLimit limit(lattice);
   const Eigen::VectorXd plain = stiffness_of_springs(lattice);
   EXPECT_EQ(limit.held(plain), plain);
   Eigen::VectorXd stiff = plain;
@@ -88,9 +88,9 @@ TEST(StepLimit, SoftensSpringsOfMassesAboveIt) {
   EXPECT_EQ(held.tail(20), plain.tail(20));  // far from there
 }
 
-TEST(StepLimit, KnowsHowTheExcessChanges) {
+TEST(StiffnessLimit, KnowsHowTheExcessChanges) {
   const Lattice lattice = thin_plate();
-  const StepLimit limit(lattice);
+  const StiffnessLimit limit(lattice);
   Eigen::VectorXd stiffness = stiffness_of_springs(lattice);
   stiffness.head(20) *= 5.0;
   const Misfit before = limit.excess(stiffness);

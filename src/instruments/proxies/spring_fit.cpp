@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "modal_response.hpp"
-#include "step_limit.hpp"
+#include "stiffness_limit.hpp"
 
 namespace idiophone::proxies {
 
@@ -24,7 +24,7 @@ constexpr double share_of_pairs = 0.3;  // weight of what two modes do to each o
 class Fit {
  public:
   /// @param share_of_shapes  weight of the energies that shapes store, over that of flexibilities
-  Fit(const Lattice& lattice, const ModalResponse& response, const StepLimit& limit, double share_of_shapes)
+  Fit(const Lattice& lattice, const ModalResponse& response, const StiffnessLimit& limit, double share_of_shapes)
       : response_(response), limit_(limit), share_of_shapes_(share_of_shapes) {
     stiffness_.resize(std::ssize(lattice.springs()));
     std::ranges::transform(lattice.springs(), stiffness_.begin(), &Spring::stiffness);
@@ -89,7 +89,7 @@ class Fit {
   }
 
   const ModalResponse& response_;
-  const StepLimit& limit_;
+  const StiffnessLimit& limit_;
   double share_of_shapes_;
   Vector stiffness_;  ///< [springs] of the lattice, N/m
   Vector weights_;    ///< [modes] high ones matter less: their weights fall as 1/sqrt(w)
@@ -183,7 +183,7 @@ std::size_t modes_to_fit(const Lattice& lattice) {
 
 SpringFit fit_springs(const Lattice& lattice, std::span<const KnownMode> modes) {
   ModalResponse response(lattice, modes);
-  const StepLimit limit(lattice);
+  const StiffnessLimit limit(lattice);
   const Fit with_shapes(lattice, response, limit, 0.05), fit(lattice, response, limit, 0.0);
   const Vector even = Vector::Constant(std::ssize(lattice.springs()), std::log(std::max(fit.common_factor(), softest)));
   Vector logarithms = fitted(with_shapes, even, even);

@@ -1,17 +1,17 @@
-#include "step_limit.hpp"
+#include "stiffness_limit.hpp"
 
 #include <algorithm>
 #include <utility>
 
 namespace idiophone::proxies {
 
-StepLimit::StepLimit(const Lattice& lattice) : lattice_(lattice) {
+StiffnessLimit::StiffnessLimit(const Lattice& lattice) : lattice_(lattice) {
   const FrequencyBounds plain =
       frequency_bounds(lattice.mesh().nodes, lattice.springs(), lattice.masses(), lattice.pinned(), 0);
   largest_square_ = std::ranges::max(plain.squares);
 }
 
-FrequencyBounds StepLimit::bounds(const Eigen::VectorXd& stiffness) const {
+FrequencyBounds StiffnessLimit::bounds(const Eigen::VectorXd& stiffness) const {
   std::vector<Spring> springs = lattice_.springs();
   for (std::size_t s = 0; s < springs.size(); ++s) {
     springs[s].stiffness = stiffness[static_cast<Eigen::Index>(s)];
@@ -19,7 +19,7 @@ FrequencyBounds StepLimit::bounds(const Eigen::VectorXd& stiffness) const {
   return frequency_bounds(lattice_.mesh().nodes, springs, lattice_.masses(), lattice_.pinned(), enough_rounds);
 }
 
-Misfit StepLimit::excess(const Eigen::VectorXd& stiffness) const {
+Misfit StiffnessLimit::excess(const Eigen::VectorXd& stiffness) const {
   constexpr double near = 0.95;    // of the limit: a fit comes to rest a little above
   constexpr double weight = 0.03;  // of a square that is twice the limit, over a flexibility that errs by 1
   const FrequencyBounds bounds = this->bounds(stiffness);
@@ -47,7 +47,7 @@ Misfit StepLimit::excess(const Eigen::VectorXd& stiffness) const {
   return misfit;
 }
 
-Eigen::VectorXd StepLimit::held(Eigen::VectorXd stiffness) const {
+Eigen::VectorXd StiffnessLimit::held(Eigen::VectorXd stiffness) const {
   constexpr int most_rounds = 50;
   for (int round = 0; round < most_rounds; ++round) {
     const FrequencyBounds bounds = this->bounds(stiffness);

@@ -17,9 +17,9 @@ struct Misfit {
 
 /// The bound of the frequencies that the stiffest mass of a lattice gives, from equal weights, is above its largest
 /// frequency by up to a third. Fitted springs may use this margin.
-class StepLimit {
+class StiffnessLimit {
  public:
-  explicit StepLimit(const Lattice& lattice);
+  explicit StiffnessLimit(const Lattice& lattice);
 
   /// A residual for each mass whose bound is near the limit or above it.
   /// @param stiffness  of the springs, N/m
