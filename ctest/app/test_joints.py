@@ -14,6 +14,8 @@ HINGE = "--set", ("joints.glue={type: hinge, between: [left.tip, right.clamp], a
                   "turning: {stiffness: 0.1, damping: 1.0e-3}}")
 SPRING = "--set", ("joints.coil={type: spring, between: [left.clamp, right.clamp], stiffness: {axial: 200, lateral: 100}, "
                    "at: [0.03, 0, 0], radius: 1, damping: 1.0e-4}")
+BOLT = "--set", ("joints={bolt: {type: bolt, between: [left.clamp, right.tip], axis: [[0, 0, 0], [0.1205, 0, 0]], radius: 0.01, "
+                 "shank: 0.003, material: rubber, preload: 20}}")
 SCORE = """
 duration: 0.1
 events:
@@ -96,6 +98,35 @@ class Joints(program.TestCase):
         self.assertLess(total.max(), 1.001 * total[0])
         self.require_status(program.run("joined", self.output, *HINGE, *SPRING, ranks=3), program.FINISHED)
         self.require_same(self.output / "joined.h5", alone)
+
+    def test_a_bolt_with_preload_keeps_momentum_and_the_same_bits_on_any_ranks_and_through_resume(self):
+        self.job = program.run("joined", self.output / "one", *BOLT)
+        self.require_status(self.job, program.FINISHED)
+        self.assertIn("joint bolt: a bolt of 0.1205 m under 20 N; stiffness 1.173e+04 N/m axial, 220.9 N/m lateral, "
+                      "0.2272 N m/rad in bending, 0.01885 N m/rad in torsion", self.job.stdout)
+        alone = program.contents(self.output / "one" / "joined.h5")
+        momentum = alone["motion/left/velocity"] + alone["motion/right/velocity"]
+        self.assertLess(abs(momentum - momentum[0]).max(), 1e-9)
+        self.assertGreater(abs(momentum - 2 * alone["motion/left/velocity"]).max(), 0.1)
+        self.require_status(program.run("joined", self.output / "three", *BOLT, ranks=3), program.FINISHED)
+        self.require_same(self.output / "three" / "joined.h5", alone)
+        self.run_in_jobs("joined", self.output, *BOLT, ranks=4 * (2, 1))
+        self.require_same(self.output / "joined.h5", alone)
+
+    def test_bolted_bodies_have_modes_and_a_map_that_rise_with_the_preload(self):
+        lowest = []
+        for pull in 0, 20:
+            bolt = BOLT[0], BOLT[1].replace("preload: 20", f"preload: {pull}")
+            job = program.idiophone("modes", DECK, *bolt, "--modes", 4, "--output-folder", self.output)
+            self.require_status(job, program.FINISHED)
+            self.assertIn("6 rigid motions", job.stdout)
+            job = program.idiophone("map", DECK, *bolt, *FOAM, "--modes", 4, "--output-folder", self.output)
+            self.require_status(job, program.FINISHED)
+            with h5py.File(self.output / "joined_modes.h5") as modes:
+                lowest.append(modes["modes/left/frequency"][0])
+            (self.output / "joined_modes.h5").unlink()
+            self.output.joinpath("joined_left.map.h5").unlink()
+        self.assertGreater(lowest[1], 1.02 * lowest[0])
 
     def test_bodies_on_a_spring_have_modes_and_a_map_of_both_closed_surfaces(self):
         only = "--set", "joints={coil: {type: spring, between: [left.clamp, right.tip], stiffness: 200}}"

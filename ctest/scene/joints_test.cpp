@@ -41,6 +41,16 @@ TEST_F(Joints, AreGlueBoltsSpringsOrHinges) {
   EXPECT_EQ(bolt.place->radius, 0.01);
   EXPECT_EQ(bolt.reach, 0.001);
   EXPECT_FALSE(bolt.stiffness.has_value());
+  EXPECT_TRUE(bolt.is_layer());
+  const Joint stud = read_glue(
+      "type: bolt, shank: 0.003, radius: 0.006, axis: [[0, 0, 0], [0, 0, 1]], material: steel, preload: 4000");
+  EXPECT_FALSE(stud.is_layer());
+  EXPECT_EQ(stud.shank->radius, 0.003);
+  EXPECT_EQ(stud.shank->washer, 0.006);
+  EXPECT_EQ(stud.shank->young, 2e11);
+  EXPECT_EQ(stud.shank->poisson, 0.3);
+  EXPECT_EQ(stud.shank->preload, 4000);
+  EXPECT_EQ(stud.axis.end, Vector3(0, 0, 1));
   const Joint mount = read_glue("type: spring, stiffness: 500, damping: 1e-3");
   EXPECT_EQ(mount.type, JointType::spring);
   EXPECT_EQ(mount.stiffness->normal, 500);
@@ -65,8 +75,17 @@ TEST_F(Joints, AnswerMistakesOfTheirTypes) {
       {glue("type: nail"), "deck.yaml:11:59: joints.glue.type: must be one of glue, bolt, spring, hinge, found 'nail'"},
       {glue("type: bolt, at: [0, 0, 0]"), "deck.yaml:11:16: joints.glue: the key 'radius' is missing"},
       {glue("type: bolt, at: [0, 0, 0], radius: 1, preload: 100"),
-       "deck.yaml:11:91: joints.glue.preload: a bolt ties what lies under its washer, whatever presses it together, so "
-       "a preload would change nothing: leave it out; for a joint that gives way, give a stiffness"},
+       "deck.yaml:11:91: joints.glue.preload: needs a shank: without one, a bolt is a layer under its washer, which no "
+       "pull makes stiffer"},
+      {glue("type: bolt, shank: 0.003, radius: 0.006, material: steel"),
+       "deck.yaml:11:16: joints.glue: the key 'axis' is missing"},
+      {glue("type: bolt, shank: 0.003, radius: 0.002, axis: [[0, 0, 0], [0, 0, 1]], material: steel, at: [0, 0, 0]"),
+       "deck.yaml:11:79: joints.glue.radius: is that of the washers, which must not be smaller than that of the shank\n"
+       "deck.yaml:11:141: joints.glue.at: has no meaning with shank: the shank goes from one end of its axis to the "
+       "other one"},
+      {glue("type: bolt, shank: 0.001, radius: 0.002, axis: [[0, 0, 0], [0, 0, 1]], material: steel, preload: 1e5"),
+       "deck.yaml:11:141: joints.glue.preload: stretches the shank by more than 2 %, which is above 1.257e+04 N: give a "
+       "smaller pull or a thicker shank"},
       {glue("type: spring, stiffness: rigid"),
        "deck.yaml:11:78: joints.glue.stiffness: expected a number (N/m), found 'rigid'"},
       {glue("type: spring, stiffness: {axial: 0, lateral: 0}"),
@@ -78,7 +97,7 @@ TEST_F(Joints, AnswerMistakesOfTheirTypes) {
       {glue("type: hinge, axis: [0, 0, 1]"),
        "deck.yaml:11:72: joints.glue.axis: expected a list of 2 points, [[x, y, z], [x, y, z]], found a list of 3"},
       {glue("type: hinge, axis: [[0, 0, 1], [0, 0, 1]]"),
-       "deck.yaml:11:72: joints.glue.axis: its two points are the same; a hinge turns about the line between them"},
+       "deck.yaml:11:72: joints.glue.axis: its two points are the same, so there is no line between them"},
       {glue("type: hinge, axis: [[0, 0, 0], [0, 0, 1]], turning: {damping: 1}"),
        "deck.yaml:11:105: joints.glue.turning: the key 'stiffness' is missing"},
   });
@@ -107,7 +126,7 @@ TEST_F(Joints, AnswerMistakes) {
        "deck.yaml:11:53: joints.glue.stiffness: cannot stand beside material and thickness: give one of them"},
       {glue("material: steel"), "deck.yaml:11:16: joints.glue: the key 'thickness' is missing"},
       {glue("material: spruce, thickness: 0.001"),
-       "deck.yaml:11:63: joints.glue.material: 'spruce' is not isotropic; give the stiffness of the layer"},
+       "deck.yaml:11:63: joints.glue.material: 'spruce' is not isotropic, as that of a joint must be"},
   });
 }
 

@@ -1,7 +1,5 @@
 #include "joint_keys.hpp"
 
-#include <algorithm>
-
 #include "idiophone/scene/ranges.hpp"
 
 namespace idiophone::scene {
@@ -10,10 +8,6 @@ namespace {
 
 constexpr Range layer_stiffness{.above = 0.0, .at_most = 1e18, .unit = "Pa/m"};
 constexpr Range spring_stiffness{.above = 0.0, .at_most = 1e15, .unit = "N/m"};
-
-bool has(const Section& section, const std::string& key) {
-  return std::ranges::find(section.node().children, key, &Node::key) != section.node().children.end();
-}
 
 }  // namespace
 
@@ -36,17 +30,23 @@ bool read_layer_stiffness(Section& section, std::optional<JointStiffness>& stiff
   return read(*node, section.mistakes(), stiffness.emplace());
 }
 
-void read_bolt(Section& section, Joint& joint) {
-  PatchPlace& washer = joint.place.emplace();
-  section.required("at", washer.at, coordinate);
-  section.required("radius", washer.radius, Range{.above = 0.0, .at_most = farthest_coordinate, .unit = "m"});
-  read_layer_stiffness(section, joint.stiffness);
-  section.optional("reach", joint.reach, Range{.above = 0.0, .at_most = farthest_coordinate, .unit = "m"});
-  if (has(section, "preload")) {
-    section.refuse("preload",
-                   "a bolt ties what lies under its washer, whatever presses it together, so a preload would change "
-                   "nothing: leave it out; for a joint that gives way, give a stiffness");
+const Material* read_joint_material(Section& section, Joint& joint, const std::vector<Material>& materials) {
+  std::size_t index = 0;
+  if (!section.required("material", index, names_of(materials))) {
+    return nullptr;
   }
+  const Material& material = materials[index];
+  if (!material.is_isotropic()) {
+    section.mistakes().add(*section.find("material"),
+                           fmt::format("'{}' is not isotropic, as that of a joint must be", material.name));
+  }
+  if (material.damping.loss && section.find("damping") == nullptr) {
+    section.mistakes().add(
+        *section.find("material"),
+        fmt::format("'{}' has a loss factor, which joints do not have: give the joint a damping (s)", material.name));
+  }
+  joint.damping = material.damping.stiffness;
+  return &material;
 }
 
 namespace {
@@ -79,8 +79,7 @@ void read_spring(Section& section, Joint& joint) {
   }
 }
 
-/// [[x, y, z], [x, y, z]], two points
-static bool read(const Node& node, Mistakes& mistakes, HingeAxis& axis) {
+bool read(const Node& node, Mistakes& mistakes, JointAxis& axis) {
   if (node.kind != Node::Kind::list || node.children.size() != 2) {
     return mistakes.add(node, "expected a list of 2 points, [[x, y, z], [x, y, z]], found " + describe(node));
   }
@@ -88,8 +87,7 @@ static bool read(const Node& node, Mistakes& mistakes, HingeAxis& axis) {
   if (!read(node.children[1], mistakes, axis.end, coordinate) || !first) {
     return false;
   }
-  return axis.begin != axis.end ||
-         mistakes.add(node, "its two points are the same; a hinge turns about the line between them");
+  return axis.begin != axis.end || mistakes.add(node, "its two points are the same, so there is no line between them");
 }
 
 static bool read(const Node& node, Mistakes& mistakes, HingeTurning& turning) {

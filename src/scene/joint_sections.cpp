@@ -54,27 +54,13 @@ JointStiffness stiffness_of(const Material& material, double thickness) {
   return {2 * shear * (1 - nu) / (1 - 2 * nu) / thickness, shear / thickness};
 }
 
-/// The keys material and thickness. Its damping is that of the material unless the joint has its own.
-void read_material(Section& section, Joint& joint, const std::vector<Material>& materials) {
-  std::size_t index = 0;
+/// The keys material and thickness.
+void read_layer_material(Section& section, Joint& joint, const std::vector<Material>& materials) {
+  const Material* material = read_joint_material(section, joint, materials);
   double thickness = 0.0;
-  const bool good = section.required("material", index, names_of(materials));
-  if (!section.required("thickness", thickness, Range{.above = 0.0, .at_most = 1.0, .unit = "m"}) || !good) {
-    return;
+  if (section.required("thickness", thickness, Range{.above = 0.0, .at_most = 1.0, .unit = "m"}) && material) {
+    joint.stiffness = stiffness_of(*material, thickness);
   }
-  const Material& material = materials[index];
-  if (!material.is_isotropic()) {
-    section.mistakes().add(*section.find("material"), fmt::format("'{}' is not isotropic; give the stiffness of the "
-                                                                  "layer",
-                                                                  material.name));
-  }
-  if (material.damping.loss && section.find("damping") == nullptr) {
-    section.mistakes().add(
-        *section.find("material"),
-        fmt::format("'{}' has a loss factor, which joints do not have: give the joint a damping (s)", material.name));
-  }
-  joint.stiffness = stiffness_of(material, thickness);
-  joint.damping = material.damping.stiffness;
 }
 
 void read_glue(Section& section, Joint& joint, const std::vector<Material>& materials) {
@@ -83,7 +69,7 @@ void read_glue(Section& section, Joint& joint, const std::vector<Material>& mate
   if (has_material && has_stiffness) {
     section.refuse("stiffness", "cannot stand beside material and thickness: give one of them");
   } else if (has_material) {
-    read_material(section, joint, materials);
+    read_layer_material(section, joint, materials);
   } else if (has_stiffness) {
     read_layer_stiffness(section, joint.stiffness);
   } else {
@@ -98,7 +84,7 @@ void read_type(Section& section, Joint& joint, const std::vector<Material>& mate
       read_glue(section, joint, materials);
       break;
     case JointType::bolt:
-      read_bolt(section, joint);
+      read_bolt(section, joint, materials);
       break;
     case JointType::spring:
       read_spring(section, joint);

@@ -29,7 +29,9 @@ struct JoinedBlocks {
     state.resize(part.node_ids.size());
   }
 
-  /// @param type  glue, bolt, spring, hinge, or door: a hinge that resists turning
+  /// @param type  glue, bolt, stud: a bolt with a shank through both blocks, spring, hinge, or door: a hinge that
+  /// resists
+  ///              turning
   static scene::Joint joint_of(const std::string& type) {
     scene::Joint joint;
     joint.name = type;
@@ -39,6 +41,12 @@ struct JoinedBlocks {
     if (type == "bolt") {
       joint.type = scene::JointType::bolt;
       joint.place = scene::PatchPlace{{0.1, 0.015, 0.01}, 0.008, {}};
+    } else if (type == "stud") {
+      joint.type = scene::JointType::bolt;
+      joint.surfaces = {scene::JoinedSurface{0, "x0", {}}, scene::JoinedSurface{1, "x1", {}}};
+      joint.stiffness.reset();
+      joint.axis = {{0.0, 0.016, 0.011}, {0.2 + gap, 0.016, 0.011}};
+      joint.shank = {.radius = 0.004, .washer = 0.01, .young = 2e11, .poisson = 0.3, .preload = 5e4};
     } else if (type == "spring") {
       joint.type = scene::JointType::spring;
       joint.stiffness = {3e8, 1e8};
@@ -53,7 +61,8 @@ struct JoinedBlocks {
     return joint;
   }
   static std::vector<scene::Joint> one_of_each() {
-    return {joint_of("glue"), joint_of("bolt"), joint_of("spring"), joint_of("hinge"), joint_of("door")};
+    return {joint_of("glue"),   joint_of("bolt"),  joint_of("stud"),
+            joint_of("spring"), joint_of("hinge"), joint_of("door")};
   }
 
   /// A rotation about an axis through the origin, by an angle (rad), then strains that no two nodes share.

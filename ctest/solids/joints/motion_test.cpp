@@ -44,6 +44,15 @@ scene::Joint door(std::optional<scene::JointStiffness> stiffness, double damping
   return joint;
 }
 
+/// A bolt of the blocks' own material that is screwed into both ends.
+scene::Joint bolt() {
+  scene::Joint joint;
+  joint.type = scene::JointType::bolt;
+  joint.axis = {{0.1, 0.015, 0.01}, {0.101, 0.015, 0.01}};
+  joint.shank = {.radius = 0.002, .washer = 0.02, .young = 1e6, .poisson = 0.3, .preload = 0.2};
+  return joint;
+}
+
 /// Two blocks of rubber that fly, tumble and vibrate, joined at their ends, 1 mm apart; meshes that do not match.
 struct JoinedBlocks {
   explicit JoinedBlocks(scene::Joint joint) {
@@ -138,7 +147,7 @@ ON_RANKS(1);
 
 TEST(JoinedMotion, KeepsMomentumAndAngularMomentum) {
   // The damping of a door, too, although it turns far.
-  for (const scene::Joint& joint : {glue(soft), spring(), door({{2000, 2000}}, 1e-3)}) {
+  for (const scene::Joint& joint : {glue(soft), spring(), door({{2000, 2000}}, 1e-3), bolt()}) {
     JoinedBlocks blocks(joint);
     blocks.begin(0.9 * stable_step_of(blocks));
     const JoinedBlocks::Momenta before = blocks.momenta();
@@ -152,7 +161,7 @@ TEST(JoinedMotion, KeepsMomentumAndAngularMomentum) {
 }
 
 TEST(JoinedMotion, KeepsItsEnergyToSecondOrderOfTheStep) {
-  for (const scene::Joint& joint : {glue(soft), spring(), door({{2000, 2000}})}) {
+  for (const scene::Joint& joint : {glue(soft), spring(), door({{2000, 2000}}), bolt()}) {
     JoinedBlocks blocks(joint);
     const double step = 0.5 * stable_step_of(blocks);
     const double coarse = largest_drift(joint, step);
@@ -169,10 +178,13 @@ TEST(JoinedMotion, IsStableUpToTheStepThatIsPredicted) {
   EXPECT_GT(largest_drift(glue(stiff), 2.0 * step), 0.1);  // nor is it much too short
 }
 
-TEST(JoinedMotion, IsStableWithARigidHinge) {
-  const scene::Joint hinge = door(std::nullopt);
-  const double step = stable_step_of(JoinedBlocks(hinge));
-  EXPECT_LT(largest_drift(hinge, 0.98 * step), 0.1);
+TEST(JoinedMotion, IsStableWithARigidHingeOrAStiffBolt) {
+  scene::Joint steel = bolt();
+  steel.shank->young = 1e10;
+  for (const scene::Joint& joint : {door(std::nullopt), steel}) {
+    const double step = stable_step_of(JoinedBlocks(joint));
+    EXPECT_LT(largest_drift(joint, 0.98 * step), 0.1);
+  }
 }
 
 TEST(JoinedMotion, LosesEnergyByDamping) {

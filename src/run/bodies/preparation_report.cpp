@@ -7,6 +7,7 @@
 
 #include "idiophone/foundation/dense/dense.hpp"
 #include "idiophone/foundation/element/type.hpp"
+#include "idiophone/solids/joints/beam.hpp"
 #include "idiophone/solids/solid/relaxation.hpp"
 #include "steps.hpp"
 
@@ -47,10 +48,28 @@ void report_prestress(const scene::Body& body, double density) {
   }
 }
 
+/// One line for the shank, not one for each direction in which it resists turning.
+void report_shank(const scene::Joint& joint, const joints::MeshedJoint& meshed) {
+  if (meshed.resists_turning) {
+    return;
+  }
+  const double length = (joint.axis.end - joint.axis.begin).norm();
+  const joints::BeamStiffness beam = joints::beam_stiffness(*joint.shank, length);
+  spdlog::info(
+      "joint {}: a bolt of {:.4g} m under {:.4g} N; stiffness {:.4g} N/m axial, {:.4g} N/m lateral, {:.4g} N m/rad in "
+      "bending, {:.4g} N m/rad in torsion",
+      joint.name, length, joint.shank->preload, beam.axial, beam.lateral, beam.bending, beam.torsion);
+}
+
 void report_joint(const scene::Joint& joint, const joints::MeshedJoint& meshed) {
   switch (joint.type) {
-    case scene::JointType::glue:
     case scene::JointType::bolt:
+      if (joint.shank) {
+        report_shank(joint, meshed);
+        break;
+      }
+      [[fallthrough]];
+    case scene::JointType::glue:
       spdlog::info(
           "joint {}: {:.4g} m2 joined, at most {:.3g} m apart; stiffness {:.4g} Pa/m normal, {:.4g} Pa/m tangential",
           joint.name, meshed.area(), meshed.largest_distance(), meshed.normal, meshed.tangential);

@@ -1,11 +1,11 @@
 #pragma once
-// Springs and hinges on meshes.
+// Springs, hinges, and bolts with a shank, on meshes.
 
 #include "idiophone/solids/joints/meshed_joint.hpp"
 
 namespace idiophone::joints {
 
-/// A spring or a hinge: a joint, and another one if the hinge resists turning.
+/// A spring, a hinge or a shank: a joint, and another one for each direction in which it resists turning.
 /// @param number   of the joint, as MeshedJoint::joint
 /// @param modulus  the softest of both bodies, Pa: a rigid hinge is a hundred times as stiff as a piece of it
 /// @throws as find_joints()

@@ -22,9 +22,9 @@ struct NodeWeight {
 
 /// A point of the first surface and the point of the second one on its normal, undeformed: of a layer, a quadrature
 /// point; of a spring, the middles of the surfaces, and the normal is its line; of a hinge, an end of the axis as both
-/// bodies have it.
+/// bodies have it; of a shank, its middle as both ends carry it along, and the normal is its line.
 struct JointPoint {
-  double area = 0.0;       ///< that it stands for, m2; 1 of a spring or hinge
+  double area = 0.0;       ///< that it stands for, m2; 1 of a spring, hinge or shank
   double distance = 0.0;   ///< of the second point, along the outward normal of the first surface, m
   Index first_begin = 0;   ///< weights of the first surface are MeshedJoint::weights[first_begin, second_begin)
   Index second_begin = 0;  ///< those of the second one are [second_begin, end)
@@ -33,12 +33,13 @@ struct JointPoint {
 
 /// A joint in global node numbers, or in those of a part.
 struct MeshedJoint {
-  std::size_t joint = 0;  ///< index into Solids::joints; a hinge that resists turning has two of it
+  std::size_t joint = 0;  ///< index into Solids::joints; a hinge that resists turning has two of it, a bolt
+                          ///< with a shank four
   bool resists_turning =
       false;                ///< this one does so: its weights have no values, and slopes of both bodies along a
                             ///< direction each, at right angles to the axis and to each other; normal is in N m/rad
-  double normal = 0.0;      ///< stiffness, Pa/m; N/m of a spring or hinge
-  double tangential = 0.0;  ///< stiffness, Pa/m; N/m of a spring or hinge
+  double normal = 0.0;      ///< stiffness, Pa/m; N/m of a spring, hinge or shank
+  double tangential = 0.0;  ///< stiffness, Pa/m; N/m of a spring, hinge or shank
   double damping = 0.0;     ///< relaxation time, s
   std::vector<JointPoint> points;
   std::vector<NodeWeight> weights;  ///< of all points
