@@ -103,7 +103,7 @@ class Joints(program.TestCase):
         self.job = program.run("joined", self.output / "one", *BOLT)
         self.require_status(self.job, program.FINISHED)
         self.assertIn("joint bolt: a bolt of 0.1205 m under 20 N; stiffness 1.173e+04 N/m axial, 220.9 N/m lateral, "
-                      "0.2272 N m/rad in bending, 0.01885 N m/rad in torsion", self.job.stdout)
+                      "0.2272 N m/rad in bending, 0.01886 N m/rad in torsion", self.job.stdout)
         alone = program.contents(self.output / "one" / "joined.h5")
         momentum = alone["motion/left/velocity"] + alone["motion/right/velocity"]
         self.assertLess(abs(momentum - momentum[0]).max(), 1e-9)
