@@ -35,6 +35,7 @@
 #include "idiophone/study/advice/rehearsal.hpp"
 #include "idiophone/study/advice/run_costs.hpp"
 #include "idiophone/study/advice/run_warnings.hpp"
+#include "idiophone/study/advice/sheet_places.hpp"
 #include "idiophone/study/advice/step_measurement.hpp"
 #include "mesh_report.hpp"
 #include "rank_options.hpp"
@@ -102,7 +103,8 @@ std::optional<accuracy::Accuracy> wanted_accuracy(const CheckOptions& options) {
 
 void print_json(const bodies::Preparation& ready, nlohmann::json costs,
                 const std::vector<std::optional<advice::PitchEstimate>>& estimates,
-                const std::vector<advice::CrossSection>& sections, const std::optional<accuracy::Accuracy>& wanted,
+                const std::vector<advice::CrossSection>& sections,
+                const std::vector<std::optional<std::string>>& sheets, const std::optional<accuracy::Accuracy>& wanted,
                 const std::optional<advice::RankPrediction>& prediction) {
   nlohmann::json answer = loop::size_facts(ready);
   for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {
@@ -122,6 +124,7 @@ void print_json(const bodies::Preparation& ready, nlohmann::json costs,
           {"cells_across", sections[b].thickness / ready.scene.radiation.grid.cell},
           {"level_error", advice::level_error(sections[b], ready.scene.radiation.grid.cell)},
           {"fine_cell", advice::fine_cell(sections[b])},
+          {"sheet_warning", sheets[b].value_or("")},
           {"opposite_parts_from",
            advice::opposite_parts_from(sections[b], ready.scene.radiation.grid.cell, ready.scene.radiation.air.speed)}};
     }
@@ -183,6 +186,7 @@ int check(const CheckOptions& options) {
   }
   const std::vector<advice::ContactCost> contacts =
       advice::contact_costs(ready, sample.motion / ready.steps_per_sample, MPI_COMM_WORLD);
+  const std::vector<std::optional<std::string>> sheets = advice::sheet_warnings(ready, MPI_COMM_WORLD);
   if (!parallel::is_root(MPI_COMM_WORLD)) {
     return loop::exit_finished;
   }
@@ -190,8 +194,8 @@ int check(const CheckOptions& options) {
   const std::vector<advice::CrossSection> sections = sections_of(ready.scene, meshes);
   const std::vector<std::optional<advice::PitchEstimate>> estimates = pitch_estimates(ready, meshes);
   if (options.style == Style::json) {
-    print_json(ready, advice::facts_of(costs, ready.scene, contacts), estimates, sections, wanted_accuracy(options),
-               prediction);
+    print_json(ready, advice::facts_of(costs, ready.scene, contacts), estimates, sections, sheets,
+               wanted_accuracy(options), prediction);
   } else {
     report_mesh(ready);
     report_pitch(ready, estimates);
@@ -199,6 +203,7 @@ int check(const CheckOptions& options) {
     if (waves) {
       report(*waves, ready.scene, sample.radiation);
       report_sections(sections, ready.scene);
+      advice::print(sheets);
     }
     if (const auto wanted = wanted_accuracy(options)) {
       for (std::size_t b = 0; b < ready.scene.bodies.size(); ++b) {

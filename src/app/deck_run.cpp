@@ -23,6 +23,7 @@
 #include "idiophone/run/record/frame_recorder.hpp"
 #include "idiophone/run/record/surface_recorder.hpp"
 #include "idiophone/study/advice/run_warnings.hpp"
+#include "idiophone/study/advice/sheet_places.hpp"
 #include "idiophone/timbre/track/sonic_sounds.hpp"
 
 namespace idiophone::app {
@@ -144,7 +145,11 @@ int run_deck(const RunOptions& options, MPI_Comm communicator) {
   const auto accelerator = open_accelerator(options.accelerator, work, communicator);
   const loop::OutputLock lock(options.output, scene.name, communicator);
   const bodies::Preparation ready = bodies::prepare(std::move(scene), communicator);
-  parallel::on_root(communicator, [&] { advice::report_doubts(ready); });
+  const std::vector<std::optional<std::string>> sheets = advice::sheet_warnings(ready, communicator);
+  parallel::on_root(communicator, [&] {
+    advice::report_doubts(ready);
+    advice::print(sheets);
+  });
   const std::filesystem::path result_path = options.output / (ready.scene.name + ".h5");
   parallel::Stages stages;
   const BodySources sources = make_sources(ready, stages, communicator, work.elements ? accelerator.get() : nullptr);

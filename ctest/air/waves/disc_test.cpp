@@ -29,17 +29,23 @@ double exact(double thickness, double frequency, double distance) {
   return impedance * k * k * volume / (4.0 * std::numbers::pi * distance) * std::hypot(1.0, 1.0 / (k * distance));
 }
 
+constexpr double disc_cell = 0.008;  // m
+
 /// Errors at 60 and 100 Hz, dB.
-std::vector<double> errors(double thickness, const Eigen::Matrix3d& turn) {
+/// @param lowest  z of the lowest vertex, 0.29 and some whole cells above which the grid begins, m
+std::vector<double> errors(double thickness, const Eigen::Matrix3d& turn, double lowest = 0.0) {
   auto disc = radiation::disc(disc_radius, 16, thickness);
   for (Vector3& vertex : disc.vertices) {
     vertex = turn * vertex;
+  }
+  if (lowest < 0.0) {
+    disc.vertices.emplace_back(0, 0, lowest);  // of no triangle
   }
   const Vector3 axis = turn.col(2);
   const std::array frequencies = {60.0, 100.0};
   const std::array points = {axis};
   const Responses heard = ring({.solid = disc,
-                                .cell = 0.008,
+                                .cell = disc_cell,
                                 .shape = [&axis](const Vector3&, const Vector3& normal) { return normal.dot(axis); }},
                                frequencies, points);
   std::vector<double> all;
@@ -60,6 +66,18 @@ TEST(Disc, HasTheAddedMassOfLamb) {
 TEST(Disc, HasItThinnerThanASubVoxel) {
   for (const double error : errors(film, Eigen::Matrix3d::Identity())) {
     EXPECT_NEAR(error, 0.0, 0.15);
+  }
+}
+
+TEST(Disc, IsTooLoudInTheOutermostEighthOfACell) {  // docs/use/waves.md#sheets
+  const auto at_place = [](double place) {
+    return errors(film, Eigen::Matrix3d::Identity(), (0.29 - place - 1.0) * disc_cell).front();
+  };
+  for (const double place : {0.06, 0.94}) {
+    EXPECT_NEAR(at_place(place), 0.55, 0.02);
+  }
+  for (const double place : {0.19, 0.81}) {
+    EXPECT_NEAR(at_place(place), 0.11, 0.02);
   }
 }
 

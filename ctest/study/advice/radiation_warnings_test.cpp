@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "ranks.hpp"
+
 namespace idiophone::advice {
 namespace {
 
@@ -25,6 +27,8 @@ scene::Radiation with(scene::RadiationModel model) {
 const mesh::Statistics cube = cuboid({0.1, 0.1, 0.1});
 const mesh::Statistics bar = cuboid({0.3, 0.03, 0.01});
 const mesh::Statistics plate = cuboid({0.3, 0.3, 0.006});
+
+ON_RANKS(1);
 
 TEST(RadiationWarning, DistrustsKirchhoffForThinBodies) {
   const auto kirchhoff = with(scene::RadiationModel::kirchhoff);

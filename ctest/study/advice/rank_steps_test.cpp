@@ -7,6 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "ranks.hpp"
 #include "shared_network.hpp"
 
 namespace idiophone::advice {
@@ -26,6 +27,8 @@ RankSteps chain(const std::vector<double>& computing, int steps_per_full_wait) {
   }
   return steps;
 }
+
+ON_RANKS(1);
 
 TEST(RankSteps, OneRankWaitsForNobody) {
   const StepTime time = step_time(chain({10e-6}, 5), network);

@@ -2,12 +2,16 @@
 
 #include <gmock/gmock.h>
 
+#include "ranks.hpp"
+
 namespace idiophone::advice {
 namespace {
 
 using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
+
+ON_RANKS(1);
 
 TEST(ModalProposal, NamesBodiesWhereItSavesHours) {
   scene::Scene scene;

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include "ranks.hpp"
+
 namespace idiophone::advice {
 namespace {
 
@@ -23,6 +25,8 @@ bodies::Preparation with_load(const scene::Signal& signal) {
 scene::Signal sine(double frequency) {
   return {.shape = scene::Signal::Shape::sine, .duration = 1.0, .frequency = frequency, .table = {}};
 }
+
+ON_RANKS(1);
 
 TEST(RunWarnings, TellOfLoadsThatNobodyHears) {
   EXPECT_THAT(run_warnings(with_load(sine(20000))), IsEmpty());

@@ -2,42 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-#include <vector>
+#include "boxes.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::advice {
 namespace {
 
-struct Surface {
-  std::vector<Vector3> nodes;
-  std::vector<mesh::Triangle> triangles;
-};
-
-/// Adds a box, each face cut into n x n squares.
-void add_box(Surface& surface, const Vector3& low, const Vector3& high, int n) {
-  for (int axis = 0; axis < 3; ++axis) {
-    for (const bool upper : {false, true}) {
-      for (int i = 0; i < n; ++i) {
-        for (int j = 0; j < n; ++j) {
-          const auto corner = [&](int u, int v) {
-            Vector3 place = upper ? high : low;
-            place[(axis + 1) % 3] = std::lerp(low[(axis + 1) % 3], high[(axis + 1) % 3], static_cast<double>(u) / n);
-            place[(axis + 2) % 3] = std::lerp(low[(axis + 2) % 3], high[(axis + 2) % 3], static_cast<double>(v) / n);
-            surface.nodes.push_back(place);
-            return static_cast<Index>(surface.nodes.size()) - 1;
-          };
-          const Index a = corner(i, j), b = corner(i + 1, j), c = corner(i + 1, j + 1), d = corner(i, j + 1);
-          surface.triangles.push_back(upper ? mesh::Triangle{a, b, c} : mesh::Triangle{a, c, b});
-          surface.triangles.push_back(upper ? mesh::Triangle{a, c, d} : mesh::Triangle{a, d, c});
-        }
-      }
-    }
-  }
-}
-
 CrossSection section_of(const Surface& surface) {
   return smallest_cross_section(surface.triangles, surface.nodes);
 }
+
+ON_RANKS(1);
 
 TEST(CrossSection, OfABarIsItsOwn) {
   Surface slender;

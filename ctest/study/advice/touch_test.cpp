@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "idiophone/scene/scene.hpp"
+#include "ranks.hpp"
 
 namespace idiophone::advice {
 namespace {
@@ -37,6 +38,8 @@ scene::Scene falling() {
 TouchingTime time_of(const scene::Scene& scene, const Gap& gap) {
   return touching_time(scene, scene.contacts[0], gap, 1e-5, 1.0);
 }
+
+ON_RANKS(1);
 
 TEST(TouchingTime, BeginsWhereAFallEnds) {
   scene::Scene scene = falling();

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include "ranks.hpp"
+
 namespace idiophone::advice {
 namespace {
 
@@ -14,6 +16,8 @@ waves::Plan cubic_grid(int cells) {
   plan.grid.cells = {cells, cells, cells};
   return plan;
 }
+
+ON_RANKS(1);
 
 TEST(WavePrediction, OfOneRankIsThatRank) {
   const WavePrediction found = predict_waves(cubic_grid(64), 1, one, Network{});
@@ -38,7 +42,8 @@ TEST(WavePrediction, TwoRanksShareAFace) {
 }
 
 TEST(WavePrediction, InnerCellsHideFastMessages) {
-  EXPECT_NEAR(predict_waves(cubic_grid(64), 2, one, Network{.latency = 1e-6, .bandwidth = 1e9}).step.waiting, 0.0, 1e-15);
+  EXPECT_NEAR(predict_waves(cubic_grid(64), 2, one, Network{.latency = 1e-6, .bandwidth = 1e9}).step.waiting, 0.0,
+              1e-15);
   const Network shared{.latency = 1e-6, .bandwidth = 1e9, .is_shared_memory = true};
   EXPECT_GT(predict_waves(cubic_grid(64), 2, one, shared).step.waiting, 0.0);
 }

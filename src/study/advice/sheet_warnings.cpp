@@ -1,0 +1,96 @@
+// What `check` and `run` say about sheets in the outermost eighth of a cell.
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "idiophone/air/propagation/wave_plan.hpp"
+#include "idiophone/run/bodies/prepared_surface.hpp"
+#include "idiophone/study/advice/sheet_places.hpp"
+
+namespace idiophone::advice {
+
+namespace {
+
+constexpr double good_clearance = 0.25;  // cells: nothing is gained by more
+
+/// Whether it flies, falls or turns, so that it lies anywhere in a cell.
+bool leaves_its_place(const scene::Body& body, const scene::Scene& scene) {
+  const bool is_held = !body.fixed.empty() || !body.driven.empty() || !body.supports.empty();
+  return !body.velocity.isZero() || !body.spin.isZero() || (!scene.gravity.isZero() && !is_held);
+}
+
+/// Of the sheet that lies worst; more than good_clearance counts as this.
+double least_of(const std::vector<Sheet>& sheets, const waves::Grid& grid) {
+  double least = good_clearance;
+  for (const Sheet& sheet : sheets) {
+    least = std::min(least, clearance(sheet, grid));
+  }
+  return least;
+}
+
+/// The key and the value with which all sheets lie well. Collective.
+std::string remedy(scene::Scene scene, const std::vector<Sheet>& sheets, const propagation::AudibleSurface& surface,
+                   MPI_Comm communicator) {
+  constexpr int divisions = 16;  // of a cell, that the margin grows by; then a cell grows by so many of its parts
+  std::string best;
+  double largest = least_clearance;
+  scene::WaveGrid& grid = scene.radiation.grid;
+  const auto try_it = [&](double& value, double wanted, const char* key) {
+    const double before = std::exchange(value, wanted);
+    const double least = least_of(sheets, propagation::wave_plan(scene, surface, communicator).grid);
+    value = before;
+    if (least > largest) {
+      largest = least;
+      best = fmt::format("radiation.{}: {:.3g}", key, wanted);
+    }
+  };
+  for (int part = 1; part < divisions; ++part) {
+    try_it(grid.margin, grid.margin + grid.cell * part / divisions, "margin");
+  }
+  for (int part = 1; best.empty() && part < divisions; ++part) {
+    try_it(grid.cell, grid.cell * (1 + 0.5 * part / divisions), "cell");
+  }
+  return best.empty() ? "another radiation.cell" : best;
+}
+
+}  // namespace
+
+std::vector<std::optional<std::string>> sheet_warnings(const bodies::Preparation& ready, MPI_Comm communicator) {
+  std::vector<std::optional<std::string>> warnings(ready.scene.bodies.size());
+  if (ready.scene.radiation.model != scene::RadiationModel::waves) {
+    return warnings;
+  }
+  const propagation::AudibleSurface surface = bodies::audible_surface(ready, communicator);
+  std::vector<Sheet> sheets = sheets_along_planes(surface, ready.scene.radiation.grid.cell, communicator);
+  std::erase_if(sheets,
+                [&](const Sheet& sheet) { return leaves_its_place(ready.scene.bodies[sheet.body], ready.scene); });
+  const waves::Grid grid = propagation::wave_plan(ready.scene, surface, communicator).grid;
+  if (least_of(sheets, grid) >= least_clearance) {
+    return warnings;
+  }
+  const std::string what_helps = remedy(ready.scene, sheets, surface, communicator);
+  for (const Sheet& sheet : sheets) {
+    if (clearance(sheet, grid) < least_clearance) {
+      warnings[sheet.body] = fmt::format(
+          "body {}: its sheet at {} = {:.6g} m lies in the outermost eighth of a cell of the air: its level can be "
+          "half a "
+          "decibel too high, and pitches that the air lowers can be 50 cents too high; {} moves it inwards "
+          "(docs/use/waves.md#sheets)",
+          ready.scene.bodies[sheet.body].name, "xyz"[sheet.axis], sheet.middle, what_helps);
+    }
+  }
+  return warnings;
+}
+
+void print(const std::vector<std::optional<std::string>>& sheet_warnings) {
+  for (const auto& warning : sheet_warnings) {
+    if (warning) {
+      spdlog::warn(*warning);
+    }
+  }
+}
+
+}  // namespace idiophone::advice
