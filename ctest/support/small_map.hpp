@@ -24,6 +24,10 @@ inline SoundMap small_map() {
   map.material_decay = {1.0 / 7, 2};
   map.radiation_decay = {0, 1.0 / 3};
   map.scalable = {.mesh = "0123456789abcdef",
+                  .mesh_shape = MeshShape{.kind = "tet4, 5 nodes, 2 elements",
+                                          .middle = {0.1, 0.2, 0.3},
+                                          .moments = Vector3(1, 2, 3).asDiagonal(),
+                                          .held = {0, 0, 0.5}},
                   .held = "rim xyz",
                   .stiffness = ScalableModes::Stiffness::Identity() * 2e11,
                   .lossless_frequency = {100.0 / 3, 200}};

@@ -2,10 +2,12 @@
 
 #include "idiophone/instruments/sound_maps/rescaled_map.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "idiophone/instruments/sound_maps/modal_radiation.hpp"
 #include "idiophone/instruments/sound_maps/solid_map.hpp"
@@ -113,13 +115,67 @@ TEST(RescaledMap, KeepsTheRadiationWhereTheFrequenciesStay) {
   }
 }
 
+/// The tongue with all lengths times a factor, and others besides.
+Overrides sized(double factor, const Overrides& others = {}) {
+  Overrides overrides = others;
+  for (const auto& [name, length] :
+       std::map<std::string, double>{{"length", 0.2}, {"width", 0.05}, {"thickness", 0.03}, {"size", 0.05}}) {
+    overrides.push_back(fmt::format("bodies.tongue.parameters.{}={:.17g}", name, factor * length));
+  }
+  return overrides;
+}
+
+TEST(RescaledMap, HasTheModesOfASolutionForAnotherSize) {
+  const SoundMap& source = original();
+  for (const double factor : {0.5, 1.3}) {
+    const Overrides other = sized(factor, {"bodies.tongue.position=[0.1, 0.2, 0.3]", "materials.rubber.density=2000",
+                                           "materials.rubber.damping={mass: 7, stiffness: 1e-7}"});
+    const SoundMap map = rescaled(source, other), expected = solved(other);
+    expect_same_modes(map, expected);
+    EXPECT_TRUE(map.sphere.pressure.empty());
+    EXPECT_LT((map.centre - expected.centre).norm(), 1e-9);
+    ASSERT_EQ(map.triangles, expected.triangles);
+    for (std::size_t vertex = 0; vertex < map.vertices.size(); ++vertex) {
+      ASSERT_LT((map.vertices[vertex] - expected.vertices[vertex]).norm(), 1e-9);
+    }
+    expect_same_modes(rescaled(map, {}), source);
+  }
+}
+
+TEST(RescaledMap, KeepsTheRadiationOfAnotherSizeAtPlacesThatGoWithIt) {
+  const SoundMap& source = original();
+  const auto larger = [](const std::string& position, const Overrides& others = {}) {
+    Overrides overrides = sized(1.3, others);
+    overrides.push_back("bodies.tongue.position=[1, 0, 0]");
+    overrides.push_back("listeners.ear.position=" + position);
+    return overrides;
+  };
+  const Overrides along = larger("[1, 0, 0.39]", {"materials.rubber.damping={mass: 7}"});
+  const SoundMap map = rescaled(source, along), expected = solved(along);
+  expect_same_modes(map, expected);
+  expect_near(map.sphere.pressure, expected.sphere.pressure, 1e-5);
+  expect_near(map.radiation_decay, expected.radiation_decay, 1e-5);
+  expect_near(map.listeners.at(0).pressure, expected.listeners.at(0).pressure, 1e-5);
+  EXPECT_NEAR(map.listeners[0].delay, expected.listeners[0].delay, 1e-9 * map.listeners[0].delay);
+  EXPECT_LT((map.listeners[0].position - expected.listeners[0].position).norm(), 1e-9);
+
+  for (const auto& [position, other] :
+       {std::pair("[0, 0, 0.39]", "materials.rubber.density=1100"),
+        std::pair("[1, 0, 0.39]", "materials.rubber.density=1000"),
+        std::pair("[1, 0, 0.39]", "radiation.air.absorption=true"),
+        std::pair("[1, 0, 0.39]", "listeners.ear={type: mono, position: [0, 0, 0], pattern: 0.5, look: [0, 0, -1]}")}) {
+    EXPECT_TRUE(rescaled(source, larger(position, {other})).sphere.pressure.empty()) << position << other;
+  }
+}
+
 TEST(RescaledMap, RefusesWhatDoesNotScale) {
   SoundMap source = original();
   const auto refusal = [&](const std::string& changed) {
     return support::error_of([&] { (void)rescaled(source, {changed}); });
   };
   EXPECT_THAT(refusal("materials.rubber.poisson=0.3"), HasSubstr("Poisson's ratio"));
-  EXPECT_THAT(refusal("bodies.tongue.parameters.thickness=0.02"), HasSubstr("its mesh is"));
+  EXPECT_THAT(refusal("bodies.tongue.parameters.thickness=0.02"),
+              HasSubstr("and it is not this one times a factor; make"));
   EXPECT_THAT(refusal("bodies.tongue.fixed=[{group: clamp, axes: xz}]"),
               HasSubstr("what holds it is 'clamp xz', and 'clamp xyz' in source.map.h5"));
   EXPECT_THAT(refusal("bodies.tongue.supports={foot: {at: [0.1, 0, 0.015], radius: 0.06, stiffness: 1e4}}"),

@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <stdexcept>
 
-#include "idiophone/foundation/deck/tree.hpp"
+#include "heard_alike.hpp"
 #include "idiophone/scene/joined_bodies.hpp"
-#include "idiophone/scene/still_receivers.hpp"
 #include "idiophone/solids/eigenmodes/material_damping.hpp"
+#include "placement.hpp"
 #include "solid_facts.hpp"
 
 namespace idiophone::sound_maps {
@@ -18,13 +19,15 @@ namespace {
 
 constexpr double negligible = 1e-9;  ///< relative, of numbers that should be the same
 
-/// How much larger the new constants are.
+/// How much larger the new constants and lengths are.
 struct Factors {
   double stiffness = 1.0;
   double density = 1.0;
+  double size = 1.0;
 
-  [[nodiscard]] double frequency() const { return std::sqrt(stiffness / density); }
-  [[nodiscard]] double shape() const { return 1.0 / std::sqrt(density); }
+  [[nodiscard]] double frequency() const { return std::sqrt(stiffness / density) / size; }
+  [[nodiscard]] double mass() const { return density * size * size * size; }
+  [[nodiscard]] double shape() const { return 1.0 / std::sqrt(mass()); }
 };
 
 void require_same(const std::string& what, const std::string& now, const std::string& before,
@@ -51,6 +54,20 @@ double stiffness_factor(const ScalableModes& now, const ScalableModes& before, c
   return factor;
 }
 
+/// @throws deck::DeckError unless the mesh is that of the map but for its size and place
+Placement checked_placement(const ScalableModes& now, const ScalableModes& before, const std::filesystem::path& path,
+                            const scene::Body& body) {
+  const std::optional<Placement> placement = placement_of(now, before);
+  if (!placement) {
+    throw deck::DeckError(
+        body.where, fmt::format("bodies.{}: its mesh is '{}', and '{}' in {}, and it is not this one times a factor{}; "
+                                "make the map without --rescale",
+                                body.name, now.mesh, before.mesh, path.string(),
+                                before.mesh_shape ? "" : ", as far as that map of an older version tells"));
+  }
+  return *placement;
+}
+
 /// @param number  of the body
 /// @return the body as it is now, with the old frequencies
 ScalableModes checked_modes(const SoundMap& source, const std::filesystem::path& path, const scene::Scene& scene,
@@ -70,43 +87,22 @@ ScalableModes checked_modes(const SoundMap& source, const std::filesystem::path&
                     path.string()));
   }
   ScalableModes now = scalable_modes(scene, body, mesh::read_mesh(body));
-  require_same("its mesh", now.mesh, source.scalable->mesh, path, body);
   require_same("what holds it", now.held, source.scalable->held, path, body);
   return now;
-}
-
-/// A section of a resolved deck as text.
-std::string section_text(const std::string& resolved_deck, const std::string& section) {
-  deck::Mistakes mistakes;
-  const deck::Node tree = deck::read_tree(resolved_deck, "resolved deck", {}, mistakes);
-  const auto found = std::ranges::find(tree.children, section, &deck::Node::key);
-  return found == tree.children.end() ? "" : deck::resolved(*found);
-}
-
-/// Whether the same listeners stand at the same places of the same air.
-bool is_heard_alike(const SoundMap& source, const scene::Scene& scene, const std::string& resolved_deck) {
-  const auto receivers = scene::still_receivers(scene.listeners);
-  const auto same_place = [](const scene::StillReceiver& one, const MapListener& other) {
-    return one.name == other.name && one.position == other.position;
-  };
-  const auto same_section = [&](const char* section) {
-    return section_text(resolved_deck, section) == section_text(source.resolved_deck, section);
-  };
-  return std::ranges::equal(receivers, source.listeners, same_place) && same_section("listeners") &&
-         same_section("radiation");
 }
 
 bool is_same_frequency(double one, double other) {
   return std::abs(one - other) <= negligible * other;
 }
 
-/// Of a modal velocity of amplitude 1, as it moves the surface less if the shapes are smaller.
-void scale_radiation(SoundMap& map, double shape) {
+/// Of a modal velocity of amplitude 1, as it moves the surface less if the shapes are smaller. If the wave length grows
+/// as the body, the pressure of the same motion stays at places that go with it, and grows as its size at one distance.
+void scale_radiation(SoundMap& map, double shape, double size) {
   for (MapListener& listener : map.listeners) {
     std::ranges::for_each(listener.pressure, [&](auto& pressure) { pressure *= shape; });
   }
-  std::ranges::for_each(map.sphere.pressure, [&](auto& pressure) { pressure *= shape; });
-  std::ranges::for_each(map.radiation_decay, [&](double& decay) { decay *= shape * shape; });
+  std::ranges::for_each(map.sphere.pressure, [&](auto& pressure) { pressure *= shape * size; });
+  std::ranges::for_each(map.radiation_decay, [&](double& decay) { decay *= shape * shape * size * size; });
 }
 
 void scale_modes(SoundMap& map, const Factors& factors, const scene::Damping& damping) {
@@ -120,6 +116,17 @@ void scale_modes(SoundMap& map, const Factors& factors, const scene::Damping& da
   std::ranges::for_each(map.shape, [&](float& value) { value = static_cast<float>(value * factors.shape()); });
 }
 
+/// Moves the body to where it is now, and listeners along.
+void place(SoundMap& map, const Placement& placement) {
+  const auto move = [&](Vector3& point) { point = placement.of(point); };
+  std::ranges::for_each(map.vertices, move);
+  move(map.centre);
+  for (MapListener& listener : map.listeners) {
+    move(listener.position);
+    listener.delay *= placement.size;
+  }
+}
+
 }  // namespace
 
 SoundMap rescaled_map(const SoundMap& source, const std::filesystem::path& path, const scene::Scene& scene,
@@ -127,17 +134,23 @@ SoundMap rescaled_map(const SoundMap& source, const std::filesystem::path& path,
   const scene::Body& here = scene.bodies[body];
   const scene::Material& material = scene.materials[here.material];
   const ScalableModes now = checked_modes(source, path, scene, body);
+  const Placement placement = checked_placement(now, *source.scalable, path, here);
   const Factors factors{.stiffness = stiffness_factor(now, *source.scalable, material, path),
-                        .density = material.density / source.material->density};
+                        .density = material.density / source.material->density,
+                        .size = placement.size};
   SoundMap map = source;
   add_facts(map, scene, std::span(&here, 1));
   map.resolved_deck = resolved_deck;
-  map.mass *= factors.density;
+  map.mass *= factors.mass();
+  place(map, placement);
+  map.scalable->mesh = now.mesh;
+  map.scalable->mesh_shape = now.mesh_shape;
   map.scalable->stiffness = now.stiffness;
   scale_modes(map, factors, material.damping);
-  if (is_heard_alike(source, scene, resolved_deck) &&
-      std::ranges::equal(map.frequency, source.frequency, is_same_frequency)) {
-    scale_radiation(map, factors.shape());
+  const auto is_same_wave = [&](double one, double other) { return is_same_frequency(factors.size * one, other); };
+  if (is_heard_alike(source, scene, resolved_deck, placement) &&
+      std::ranges::equal(map.frequency, source.frequency, is_same_wave)) {
+    scale_radiation(map, factors.shape(), factors.size);
   } else {
     map.listeners.clear();
     map.radiation_decay.clear();

@@ -30,6 +30,40 @@ std::string held_groups(const scene::Body& body) {
   return groups.empty() ? "nothing" : fmt::format("{}", fmt::join(groups, ", "));
 }
 
+/// Nodes of the groups that are held or driven.
+std::vector<Index> held_nodes(const scene::Body& body, const mesh::Mesh& mesh) {
+  std::vector<Index> nodes;
+  const auto add = [&](const auto& group) {
+    const std::vector<Index>& of_group = mesh::find_group(mesh, group.group, group.where);
+    nodes.insert(nodes.end(), of_group.begin(), of_group.end());
+  };
+  std::ranges::for_each(body.fixed, add);
+  std::ranges::for_each(body.driven, add);
+  return nodes;
+}
+
+MeshShape shape_of(const scene::Body& body, const mesh::Mesh& mesh) {
+  MeshShape shape{.kind = fmt::format("{}, {} nodes, {} elements", element::name(mesh.element), mesh.nodes.size(),
+                                      mesh.element_count())};
+  const auto mean = [](const auto& range, const auto& value) {
+    auto sum = value(*range.begin());
+    sum.setZero();
+    for (const auto& item : range) {
+      sum += value(item);
+    }
+    return std::decay_t<decltype(sum)>(sum / static_cast<double>(range.size()));
+  };
+  shape.middle = mean(mesh.nodes, [](const Vector3& node) { return node; });
+  shape.moments = mean(mesh.nodes, [&](const Vector3& node) -> Eigen::Matrix3d {
+    return (node - shape.middle) * (node - shape.middle).transpose();
+  });
+  const std::vector<Index> held = held_nodes(body, mesh);
+  if (!held.empty()) {
+    shape.held = mean(held, [&](Index node) -> Vector3 { return mesh.nodes[node] - shape.middle; });
+  }
+  return shape;
+}
+
 /// Whether all of the bodies consist of one material.
 bool has_one_material(std::span<const scene::Body> bodies) {
   return std::ranges::all_of(bodies, [&](const scene::Body& body) {
@@ -77,6 +111,7 @@ std::string why_not_scalable(const scene::Body& body) {
 
 ScalableModes scalable_modes(const scene::Scene& scene, const scene::Body& body, const mesh::Mesh& mesh) {
   return {.mesh = mesh.hash,
+          .mesh_shape = shape_of(body, mesh),
           .held = held_groups(body),
           .stiffness = solid::stiffness_matrix(solid::elasticity(scene.materials[body.material], body.material_axes())),
           .lossless_frequency = {}};

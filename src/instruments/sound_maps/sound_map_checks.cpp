@@ -76,7 +76,10 @@ class MapChecker {
     if (!map_.scalable) {
       return;
     }
-    const auto& [mesh, held, stiffness, lossless] = *map_.scalable;
+    const auto& [mesh, shape, held, stiffness, lossless] = *map_.scalable;
+    require(!shape || (shape->middle.allFinite() && shape->held.allFinite() && shape->moments.allFinite() &&
+                       shape->moments.trace() > 0),
+            fmt::format("{} are zero or not finite", sound_map::mesh_moments));
     require(map_.material.has_value(), "it can be rescaled, but has no material");
     require(stiffness.allFinite() && stiffness.norm() > 0,
             fmt::format("{} is zero or not finite", sound_map::stiffness));

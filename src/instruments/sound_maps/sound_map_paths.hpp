@@ -28,6 +28,7 @@ inline constexpr const char* weights = "/sphere/weight";
 inline constexpr const char* sphere_pressure = "/sphere/pressure";
 inline constexpr const char* scaling = "/scaling";
 inline constexpr const char* stiffness = "/scaling/stiffness";
+inline constexpr const char* mesh_moments = "/scaling/mesh_moments";
 inline constexpr const char* lossless_frequency = "/scaling/lossless_frequency";
 inline constexpr const char* stretching = "/stretching";
 inline constexpr const char* stretching_linear = "/stretching/linear";

@@ -103,6 +103,18 @@ class MapReader {
     }
   }
 
+  std::optional<MeshShape> mesh_shape() {
+    if (!hdf5::exists(file_.id(), sound_map::mesh_moments)) {
+      return {};
+    }
+    const auto dataset = hdf5::open_dataset(file_.id(), sound_map::mesh_moments);
+    const auto rows = values<double>(sound_map::mesh_moments, {5, 3});
+    return MeshShape{.kind = hdf5::text_of(dataset.id(), "mesh"),
+                     .middle = Vector3::Map(rows.data()),
+                     .moments = Eigen::Matrix3d::Map(rows.data() + 3),
+                     .held = Vector3::Map(rows.data() + 12)};
+  }
+
   void read_scaling() {
     if (!hdf5::exists(file_.id(), sound_map::scaling)) {
       return;
@@ -111,6 +123,7 @@ class MapReader {
     const auto stiffness = values<double>(sound_map::stiffness, {6, 6});
     map_.scalable = ScalableModes{
         .mesh = hdf5::text_of(group.id(), "mesh_hash"),
+        .mesh_shape = mesh_shape(),
         .held = hdf5::text_of(group.id(), "held"),
         .stiffness = ScalableModes::Stiffness::Map(stiffness.data()),
         .lossless_frequency = values<double>(sound_map::lossless_frequency, {map_.modes()}),

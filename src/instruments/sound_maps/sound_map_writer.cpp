@@ -99,7 +99,18 @@ class MapWriter {
       const auto group = hdf5::open_group(file_.id(), sound_map::scaling);
       hdf5::put(group.id(), "mesh_hash", scalable->mesh);
       hdf5::put(group.id(), "held", scalable->held);
+      if (scalable->mesh_shape) {
+        write_mesh_shape(*scalable->mesh_shape);
+      }
     }
+  }
+
+  void write_mesh_shape(const MeshShape& shape) {
+    Eigen::Matrix<double, 3, 5> rows;  // as columns
+    rows << shape.middle, shape.moments, shape.held;
+    const auto all = rows.reshaped();
+    write(sound_map::mesh_moments, {5, 3}, std::vector<double>(all.begin(), all.end()), "m, m2");
+    hdf5::put(hdf5::open_dataset(file_.id(), sound_map::mesh_moments).id(), "mesh", shape.kind);
   }
 
   void write_stretching() {

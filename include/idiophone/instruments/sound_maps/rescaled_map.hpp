@@ -1,5 +1,5 @@
 #pragma once
-// Sound maps for another density, stiffness or damping, without solving for the modes again.
+// Sound maps for another density, stiffness, damping or size, without solving for the modes again.
 
 #include <filesystem>
 #include <string>
@@ -9,12 +9,12 @@
 
 namespace idiophone::sound_maps {
 
-/// The map of a body as the scene has it, from a map of the same body with another material: with the factors e of all
-/// elastic constants and d of the density, frequencies change by sqrt(e/d) and shapes by 1/sqrt(d)
-/// (docs/method/sound_map.md#rescaling). The body is meshed to prove that it is the same one. Call on one rank. Fills
-/// in everything except for `code_version`. Where all frequencies, the air and the listeners are those of the other
-/// map, the radiation is that of the other map by powers of d. Otherwise listeners, sphere and `radiation_decay` are
-/// empty.
+/// The map of a body as the scene has it, from a map of the same body with another material, size or place: with the
+/// factors e of all elastic constants, d of the density and s of all lengths, frequencies change by sqrt(e/d)/s and
+/// shapes by 1/sqrt(d s^3) (docs/method/sound_map.md#rescaling). The body is meshed to prove that it is the same one.
+/// Call on one rank. Fills in everything except for `code_version`. Where e = d and the air is that of the other map,
+/// as are the listeners beside the body, the radiation is that of the other map by powers of d and s. Otherwise
+/// listeners, sphere and `radiation_decay` are empty.
 /// @param source         the other map
 /// @param path           its file, for messages
 /// @param body           index into Scene::bodies

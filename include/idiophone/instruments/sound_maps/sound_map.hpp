@@ -41,12 +41,21 @@ struct MapMaterial {
   double poisson = 0.0;  ///< Poisson's ratio; 0 for an orthotropic material
 };
 
+/// Numbers that tell whether another mesh is the same one but for its size and its place.
+struct MeshShape {
+  std::string kind;                                   ///< "tet10, 412 nodes, 180 elements"
+  Vector3 middle = Vector3::Zero();                   ///< mean of the nodes, m
+  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();  ///< mean of r r^T with r from the middle to the nodes, m2
+  Vector3 held = Vector3::Zero();  ///< from the middle to the mean of the nodes that are held or driven, m
+};
+
 /// What the modes of a body with one material depend on, so that another map can be made of them for another density,
-/// stiffness or damping (rescaled_map.hpp).
+/// stiffness, damping or size (rescaled_map.hpp).
 struct ScalableModes {
   using Stiffness = Eigen::Matrix<double, 6, 6>;
 
   std::string mesh;                         ///< mesh::Mesh::hash
+  std::optional<MeshShape> mesh_shape;      ///< none in maps of older versions
   std::string held;                         ///< fixed and driven groups with their axes: "rim xyz", or "nothing"
   Stiffness stiffness = Stiffness::Zero();  ///< scene::StiffnessMatrix along the axes of the scene, Pa
   std::vector<double> lossless_frequency;   ///< [modes] eigenmodes::Mode, Hz
