@@ -26,8 +26,8 @@ inline SoundMap small_map() {
   map.scalable = {.mesh = "0123456789abcdef",
                   .mesh_shape = MeshShape{.kind = "tet4, 5 nodes, 2 elements",
                                           .middle = {0.1, 0.2, 0.3},
-                                          .moments = Vector3(1, 2, 3).asDiagonal(),
-                                          .held = {0, 0, 0.5}},
+                                          .size = 0.4,
+                                          .pattern = Eigen::Matrix<double, 6, 4>::Identity()},
                   .held = "rim xyz",
                   .stiffness = ScalableModes::Stiffness::Identity() * 2e11,
                   .lossless_frequency = {100.0 / 3, 200}};

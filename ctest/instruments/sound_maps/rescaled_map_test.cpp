@@ -168,6 +168,17 @@ TEST(RescaledMap, KeepsTheRadiationOfAnotherSizeAtPlacesThatGoWithIt) {
   }
 }
 
+TEST(RescaledMap, RefusesWhatTurned) {
+  // The mesh looks the same after half a turn, but for what is held.
+  for (const auto& [fixed, degrees] :
+       {std::pair("bodies.tongue.fixed=[]", 90), std::pair("bodies.tongue.fixed=[clamp]", 180)}) {
+    const Overrides turned = {fixed, fmt::format("bodies.tongue.rotation={{axis: [0, 0, 1], degrees: {}}}", degrees)};
+    EXPECT_THAT(support::error_of([&] { (void)rescaled(solved({fixed}), turned); }),
+                HasSubstr("not this one times a factor"))
+        << fixed;
+  }
+}
+
 TEST(RescaledMap, RefusesWhatDoesNotScale) {
   SoundMap source = original();
   const auto refusal = [&](const std::string& changed) {

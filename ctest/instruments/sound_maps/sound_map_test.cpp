@@ -64,8 +64,8 @@ TEST_F(SoundMapFile, ComesBackToTheBit) {
   ASSERT_TRUE(read.scalable->mesh_shape.has_value());
   EXPECT_EQ(read.scalable->mesh_shape->kind, map.scalable->mesh_shape->kind);
   EXPECT_EQ(read.scalable->mesh_shape->middle, map.scalable->mesh_shape->middle);
-  EXPECT_EQ(read.scalable->mesh_shape->moments, map.scalable->mesh_shape->moments);
-  EXPECT_EQ(read.scalable->mesh_shape->held, map.scalable->mesh_shape->held);
+  EXPECT_EQ(read.scalable->mesh_shape->size, map.scalable->mesh_shape->size);
+  EXPECT_EQ(read.scalable->mesh_shape->pattern, map.scalable->mesh_shape->pattern);
   EXPECT_EQ(read.scalable->stiffness, map.scalable->stiffness);
   EXPECT_EQ(read.scalable->lossless_frequency, map.scalable->lossless_frequency);
   EXPECT_EQ(read.decay(1), 2 + 1.0 / 3);

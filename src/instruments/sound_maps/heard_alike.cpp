@@ -1,7 +1,6 @@
 #include "heard_alike.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "idiophone/foundation/deck/tree.hpp"
@@ -32,7 +31,7 @@ bool is_heard_alike(const SoundMap& source, const scene::Scene& scene, const std
                     const Placement& placement) {
   constexpr double rounding = 1e-9;  // relative
   const auto receivers = scene::still_receivers(scene.listeners);
-  const double size = source.scalable->mesh_shape ? std::sqrt(source.scalable->mesh_shape->moments.trace()) : 0.0;
+  const double size = source.scalable->mesh_shape ? source.scalable->mesh_shape->size : 0.0;
   const auto same_place = [&](const scene::StillReceiver& one, const MapListener& other) {
     const Vector3 expected = placement.of(other.position);
     return one.name == other.name && (one.position - expected).norm() <= rounding * (size + expected.norm());

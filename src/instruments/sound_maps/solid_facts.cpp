@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include "idiophone/solids/solid/elasticity.hpp"
 
@@ -42,25 +44,36 @@ std::vector<Index> held_nodes(const scene::Body& body, const mesh::Mesh& mesh) {
   return nodes;
 }
 
+/// Of some nodes: cos(k.r) and sin(k.r) for some vectors k that are no multiples of each other and lie askew, so that
+/// another mesh, or this one turned or mirrored, has other means.
+Eigen::Matrix<double, 6, 2> mean_waves(const std::vector<Index>& nodes, const mesh::Mesh& mesh,
+                                       const MeshShape& shape) {
+  Eigen::Matrix<double, 6, 3> waves;
+  waves << 1.1, 0.7, 0.4, -0.6, 1.3, 0.9, 0.5, -1.2, 1.7, 2.9, 1.6, -2.2, -3.1, 2.7, 3.8, 4.3, -5.2, 4.9;
+  Eigen::Matrix<double, 6, 2> sum = Eigen::Matrix<double, 6, 2>::Zero();
+  for (const Index node : nodes) {
+    const Eigen::Array<double, 6, 1> phase = waves * (mesh.nodes[node] - shape.middle) / shape.size;
+    sum.col(0) += phase.cos().matrix();
+    sum.col(1) += phase.sin().matrix();
+  }
+  return sum / std::max(1.0, static_cast<double>(nodes.size()));
+}
+
 MeshShape shape_of(const scene::Body& body, const mesh::Mesh& mesh) {
   MeshShape shape{.kind = fmt::format("{}, {} nodes, {} elements", element::name(mesh.element), mesh.nodes.size(),
                                       mesh.element_count())};
-  const auto mean = [](const auto& range, const auto& value) {
-    auto sum = value(*range.begin());
-    sum.setZero();
-    for (const auto& item : range) {
-      sum += value(item);
-    }
-    return std::decay_t<decltype(sum)>(sum / static_cast<double>(range.size()));
-  };
-  shape.middle = mean(mesh.nodes, [](const Vector3& node) { return node; });
-  shape.moments = mean(mesh.nodes, [&](const Vector3& node) -> Eigen::Matrix3d {
-    return (node - shape.middle) * (node - shape.middle).transpose();
-  });
-  const std::vector<Index> held = held_nodes(body, mesh);
-  if (!held.empty()) {
-    shape.held = mean(held, [&](Index node) -> Vector3 { return mesh.nodes[node] - shape.middle; });
+  const auto count = static_cast<double>(mesh.nodes.size());
+  for (const Vector3& node : mesh.nodes) {
+    shape.middle += node / count;
   }
+  double square = 0.0;
+  for (const Vector3& node : mesh.nodes) {
+    square += (node - shape.middle).squaredNorm() / count;
+  }
+  shape.size = std::sqrt(square);
+  std::vector<Index> all(mesh.nodes.size());
+  std::iota(all.begin(), all.end(), 0);
+  shape.pattern << mean_waves(all, mesh, shape), mean_waves(held_nodes(body, mesh), mesh, shape);
   return shape;
 }
 

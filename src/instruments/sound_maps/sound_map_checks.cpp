@@ -77,9 +77,9 @@ class MapChecker {
       return;
     }
     const auto& [mesh, shape, held, stiffness, lossless] = *map_.scalable;
-    require(!shape || (shape->middle.allFinite() && shape->held.allFinite() && shape->moments.allFinite() &&
-                       shape->moments.trace() > 0),
-            fmt::format("{} are zero or not finite", sound_map::mesh_moments));
+    require(!shape || (shape->middle.allFinite() && shape->pattern.allFinite() && std::isfinite(shape->size) &&
+                       shape->size > 0),
+            fmt::format("{} is zero or not finite", sound_map::mesh_shape));
     require(map_.material.has_value(), "it can be rescaled, but has no material");
     require(stiffness.allFinite() && stiffness.norm() > 0,
             fmt::format("{} is zero or not finite", sound_map::stiffness));

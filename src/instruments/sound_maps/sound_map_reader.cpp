@@ -104,15 +104,15 @@ class MapReader {
   }
 
   std::optional<MeshShape> mesh_shape() {
-    if (!hdf5::exists(file_.id(), sound_map::mesh_moments)) {
+    if (!hdf5::exists(file_.id(), sound_map::mesh_shape)) {
       return {};
     }
-    const auto dataset = hdf5::open_dataset(file_.id(), sound_map::mesh_moments);
-    const auto rows = values<double>(sound_map::mesh_moments, {5, 3});
+    const auto dataset = hdf5::open_dataset(file_.id(), sound_map::mesh_shape);
+    const auto rows = values<double>(sound_map::mesh_shape, {7, 4});
     return MeshShape{.kind = hdf5::text_of(dataset.id(), "mesh"),
                      .middle = Vector3::Map(rows.data()),
-                     .moments = Eigen::Matrix3d::Map(rows.data() + 3),
-                     .held = Vector3::Map(rows.data() + 12)};
+                     .size = rows[3],
+                     .pattern = Eigen::Matrix<double, 6, 4, Eigen::RowMajor>::Map(rows.data() + 4)};
   }
 
   void read_scaling() {

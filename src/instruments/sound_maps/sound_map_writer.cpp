@@ -106,11 +106,10 @@ class MapWriter {
   }
 
   void write_mesh_shape(const MeshShape& shape) {
-    Eigen::Matrix<double, 3, 5> rows;  // as columns
-    rows << shape.middle, shape.moments, shape.held;
-    const auto all = rows.reshaped();
-    write(sound_map::mesh_moments, {5, 3}, std::vector<double>(all.begin(), all.end()), "m, m2");
-    hdf5::put(hdf5::open_dataset(file_.id(), sound_map::mesh_moments).id(), "mesh", shape.kind);
+    Eigen::Matrix<double, 7, 4, Eigen::RowMajor> rows;
+    rows << shape.middle.transpose(), shape.size, shape.pattern;
+    write(sound_map::mesh_shape, {7, 4}, std::vector<double>(rows.data(), rows.data() + rows.size()), "m, 1");
+    hdf5::put(hdf5::open_dataset(file_.id(), sound_map::mesh_shape).id(), "mesh", shape.kind);
   }
 
   void write_stretching() {

@@ -43,10 +43,12 @@ struct MapMaterial {
 
 /// Numbers that tell whether another mesh is the same one but for its size and its place.
 struct MeshShape {
-  std::string kind;                                   ///< "tet10, 412 nodes, 180 elements"
-  Vector3 middle = Vector3::Zero();                   ///< mean of the nodes, m
-  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();  ///< mean of r r^T with r from the middle to the nodes, m2
-  Vector3 held = Vector3::Zero();  ///< from the middle to the mean of the nodes that are held or driven, m
+  std::string kind;                  ///< "tet10, 412 nodes, 180 elements"
+  Vector3 middle = Vector3::Zero();  ///< mean of the nodes, m
+  double size = 0.0;                 ///< root of the mean square of the distances of the nodes from there, m
+  /// Means of cos(k.r) and sin(k.r) over the nodes, then over those that are held or driven, 0 without: r from the
+  /// middle over the size, and six vectors k without unit (solid_facts.cpp).
+  Eigen::Matrix<double, 6, 4> pattern = Eigen::Matrix<double, 6, 4>::Zero();
 };
 
 /// What the modes of a body with one material depend on, so that another map can be made of them for another density,
