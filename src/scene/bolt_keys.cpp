@@ -35,7 +35,8 @@ void read_shank(Section& section, Joint& joint, const std::vector<Material>& mat
     section.refuse("radius", "is that of the washers, which must not be smaller than that of the shank");
   }
   const Material* material = read_joint_material(section, joint, materials);
-  if (section.optional("preload", shank.preload, Range{.at_least = 0.0, .at_most = 1e12, .unit = "N"}) && material) {
+  if (section.optional("preload", shank.preload, Range{.at_least = 0.0, .at_most = 1e12, .unit = "N"}) &&
+      material != nullptr) {
     shank.young = material->young;
     shank.poisson = material->poisson;
     const double most = largest_strain * shank.young * shank.section();

@@ -58,7 +58,8 @@ JointStiffness stiffness_of(const Material& material, double thickness) {
 void read_layer_material(Section& section, Joint& joint, const std::vector<Material>& materials) {
   const Material* material = read_joint_material(section, joint, materials);
   double thickness = 0.0;
-  if (section.required("thickness", thickness, Range{.above = 0.0, .at_most = 1.0, .unit = "m"}) && material) {
+  if (section.required("thickness", thickness, Range{.above = 0.0, .at_most = 1.0, .unit = "m"}) &&
+      material != nullptr) {
     joint.stiffness = stiffness_of(*material, thickness);
   }
 }
