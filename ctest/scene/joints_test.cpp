@@ -84,7 +84,8 @@ TEST_F(Joints, AnswerMistakesOfTheirTypes) {
        "deck.yaml:11:141: joints.glue.at: has no meaning with shank: the shank goes from one end of its axis to the "
        "other one"},
       {glue("type: bolt, shank: 0.001, radius: 0.002, axis: [[0, 0, 0], [0, 0, 1]], material: steel, preload: 1e5"),
-       "deck.yaml:11:141: joints.glue.preload: stretches the shank by more than 2 %, which is above 1.257e+04 N: give a "
+       "deck.yaml:11:141: joints.glue.preload: stretches the shank by more than 2 %, which is above 1.257e+04 N: give "
+       "a "
        "smaller pull or a thicker shank"},
       {glue("type: spring, stiffness: rigid"),
        "deck.yaml:11:78: joints.glue.stiffness: expected a number (N/m), found 'rigid'"},

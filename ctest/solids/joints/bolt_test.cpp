@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "assembly.hpp"
-#include "idiophone/solids/joints/beam.hpp"
+#include "idiophone/solids/joints/beam_stiffness.hpp"
 #include "joined_blocks.hpp"
 #include "ranks.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 
 #include "idiophone/scene/scene.hpp"
-#include "placement.hpp"
+#include "scaled_placement.hpp"
 
 namespace idiophone::sound_maps {
 

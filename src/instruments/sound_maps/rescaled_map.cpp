@@ -10,7 +10,7 @@
 #include "heard_alike.hpp"
 #include "idiophone/scene/joined_bodies.hpp"
 #include "idiophone/solids/eigenmodes/material_damping.hpp"
-#include "placement.hpp"
+#include "scaled_placement.hpp"
 #include "solid_facts.hpp"
 
 namespace idiophone::sound_maps {

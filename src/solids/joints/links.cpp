@@ -8,7 +8,7 @@
 
 #include "held_part.hpp"
 #include "idiophone/foundation/deck/location.hpp"
-#include "idiophone/solids/joints/beam.hpp"
+#include "idiophone/solids/joints/beam_stiffness.hpp"
 #include "link_points.hpp"
 
 namespace idiophone::joints {

@@ -1,4 +1,4 @@
-#include "idiophone/solids/joints/beam.hpp"
+#include "idiophone/solids/joints/beam_stiffness.hpp"
 
 namespace idiophone::joints {
 

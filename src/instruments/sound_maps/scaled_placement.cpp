@@ -1,4 +1,4 @@
-#include "placement.hpp"
+#include "scaled_placement.hpp"
 
 namespace idiophone::sound_maps {
 
