@@ -84,7 +84,7 @@ TEST_F(Joints, AnswerMistakesOfTheirTypes) {
        "deck.yaml:11:141: joints.glue.at: has no meaning with shank: the shank goes from one end of its axis to the "
        "other one"},
       {glue("type: bolt, shank: 0.001, radius: 0.002, axis: [[0, 0, 0], [0, 0, 1]], material: steel, preload: 1e5"),
-       "deck.yaml:11:141: joints.glue.preload: stretches the shank by more than 2 %, which is above 1.257e+04 N: give "
+       "deck.yaml:11:141: joints.glue.preload: must be at most 1.257e+04 N, which stretches the shank by 2 %: give "
        "a "
        "smaller pull or a thicker shank"},
       {glue("type: spring, stiffness: rigid"),
@@ -127,7 +127,8 @@ TEST_F(Joints, AnswerMistakes) {
        "deck.yaml:11:53: joints.glue.stiffness: cannot stand beside material and thickness: give one of them"},
       {glue("material: steel"), "deck.yaml:11:16: joints.glue: the key 'thickness' is missing"},
       {glue("material: spruce, thickness: 0.001"),
-       "deck.yaml:11:63: joints.glue.material: 'spruce' is not isotropic, as that of a joint must be"},
+       "deck.yaml:11:63: joints.glue.material: 'spruce' is not isotropic, as that of a joint must be: name another "
+       "material"},
   });
 }
 

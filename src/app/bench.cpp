@@ -57,7 +57,9 @@ void declare(CLI::App& app, BenchOptions& options) {
       ->needs("--measured");
   app.add_option("--cuts", options.cuts, "a YAML file of the cuts and taps since the deck's mesh")
       ->check(CLI::ExistingFile);
-  app.add_option("--match", options.match, "cents between a measured line and its mode, beside what all modes share")
+  app.add_option("--match", options.match,
+                 "cents from a mode, beside what all modes share, from which on a line needs another tap; none counts "
+                 "at twice this")
       ->capture_default_str();
   app.add_option("--tools", options.tools, "NAME:RADIUS,...: router or sander, and half the width of its cuts in m")
       ->delimiter(',')
@@ -119,7 +121,7 @@ bench::Past past_of(const BenchOptions& options, const mesh::Mesh& mesh, const b
   return past;
 }
 
-/// What is believed before any tap. A mode is three standard deviations away from where it is expected, at most.
+/// What is believed before any tap. A line that is --match away from its mode is a surprise: three standard deviations.
 bench::Beliefs beliefs_of(const BenchOptions& options) {
   return {options.match / 3, options.plan.depth_error, options.plan.slope_error};
 }
@@ -132,6 +134,14 @@ void warn_of_narrow_tools(std::vector<bench::Tool>& tools, const bench::Workpiec
         "The slope error of the tool counts as {:g} at least, so its cuts are shallower",
         tool.name, tool.radius, 2e3 * tool.radius, 1e3 * piece.thinnest(), tool.slope_error);
   }
+}
+
+/// Cuts with the slope errors of their tools.
+std::vector<bench::Cut> doubted(std::vector<bench::Cut> cuts, const bench::Workpiece& piece) {
+  for (bench::Cut& cut : cuts) {
+    cut.tool.slope_error = bench::doubt_of(cut.tool, piece.thinnest());
+  }
+  return cuts;
 }
 
 /// The body as it is by the cuts that were asked for, and as it shall be.
@@ -181,8 +191,9 @@ int run_bench(const BenchOptions& options) {
   const bench::Workpiece::Slopes slopes = piece.slopes_of(session.body, session.body.tuned);
   const bench::CutModel model = piece.model(session.cuts, session.body, slopes.strips);
   const bench::Partials partials = distances_of(session.partials, target.are_ratios);
-  const bench::Plan plan = session.doubt.empty() ? bench::plan_cuts(model, tools, partials, options.plan, past.cuts)
-                                                 : bench::ambiguous_plan(partials, options.plan);
+  const bench::Plan plan = session.doubt.empty()
+                               ? bench::plan_cuts(model, tools, partials, options.plan, doubted(past.cuts, piece))
+                               : bench::ambiguous_plan(partials, options.plan);
   const BenchAnswer answer{solids.bodies.front().name, session, piece.side(), slopes.strips, tools, past, plan};
   if (options.style == Style::json) {
     print_answer(to_json(answer));

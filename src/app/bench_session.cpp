@@ -34,8 +34,8 @@ std::string question_of(const bench::Workpiece& piece, const bench::Doubt& doubt
     return fmt::format("{} may have the line at {:.2f} or that at {:.2f} Hz", mode, doubt.line, *doubt.other_line);
   }
   return fmt::format(
-      "the line of {} at {:.2f} Hz is {:.1f} standard deviations {} where it was expected: a cut was not "
-      "made as asked, or the tap is wrong",
+      "the line of {} at {:.2f} Hz is {:.1f} standard deviations {} where it was expected: the tap, the depth of a cut "
+      "or the deck is wrong",
       mode, doubt.line, std::abs(doubt.surprise), doubt.surprise > 0 ? "above" : "below");
 }
 
@@ -49,9 +49,10 @@ std::string request_of(const Vector3& place, std::size_t mode, std::optional<std
 /// What may be, and the measurement that decides.
 std::string sentence_of(const bench::Workpiece& piece, const bench::Doubt& doubt, const std::optional<Vector3>& place) {
   if (!place) {
-    return question_of(piece, doubt) +
-           ". No place for a tap tells them apart: measure more exactly, or give only "
-           "the lines of the modes to be tuned in a YAML file";
+    const bool is_choice = doubt.other || doubt.other_line;
+    return question_of(piece, doubt) + (is_choice ? ". No place for a tap tells them apart: measure more exactly, or "
+                                                    "give only the lines of the modes to be tuned in a YAML file"
+                                                  : ". Tap again");
   }
   return fmt::format("{}. {}", question_of(piece, doubt), request_of(*place, doubt.mode, doubt.other));
 }

@@ -30,20 +30,23 @@ void read_layer(Section& section, Joint& joint) {
 void read_shank(Section& section, Joint& joint, const std::vector<Material>& materials) {
   Shank& shank = joint.shank.emplace();
   section.required("shank", shank.radius, bolt_length);
-  section.required("axis", joint.axis);
+  constexpr double shortest = 1e-6;  // m
+  if (section.required("axis", joint.axis) && (joint.axis->end - joint.axis->begin).norm() < shortest) {
+    section.refuse("axis", fmt::format("is shorter than {:g} m: a shank is a beam between two washers", shortest));
+  }
   if (section.required("radius", shank.washer, bolt_length) && shank.washer < shank.radius) {
     section.refuse("radius", "is that of the washers, which must not be smaller than that of the shank");
   }
   const Material* material = read_joint_material(section, joint, materials);
   if (section.optional("preload", shank.preload, Range{.at_least = 0.0, .at_most = 1e12, .unit = "N"}) &&
-      material != nullptr) {
+      material != nullptr && shank.radius > 0) {
     shank.young = material->young;
     shank.poisson = material->poisson;
     const double most = largest_strain * shank.young * shank.section();
     if (shank.preload > most) {
-      section.refuse("preload", fmt::format("stretches the shank by more than {:g} %, which is above {:.4g} N: give a "
+      section.refuse("preload", fmt::format("must be at most {:.4g} N, which stretches the shank by {:g} %: give a "
                                             "smaller pull or a thicker shank",
-                                            100 * largest_strain, most));
+                                            most, 100 * largest_strain));
     }
   }
   for (const char* key : {"at", "stiffness", "reach"}) {

@@ -37,8 +37,9 @@ const Material* read_joint_material(Section& section, Joint& joint, const std::v
   }
   const Material& material = materials[index];
   if (!material.is_isotropic()) {
-    section.mistakes().add(*section.find("material"),
-                           fmt::format("'{}' is not isotropic, as that of a joint must be", material.name));
+    section.mistakes().add(
+        *section.find("material"),
+        fmt::format("'{}' is not isotropic, as that of a joint must be: name another material", material.name));
   }
   if (material.damping.loss && section.find("damping") == nullptr) {
     section.mistakes().add(

@@ -32,7 +32,7 @@ double exact(double thickness, double frequency, double distance) {
 constexpr double disc_cell = 0.008;  // m
 
 /// Errors at 60 and 100 Hz, dB.
-/// @param lowest  z of the lowest vertex, 0.29 and some whole cells above which the grid begins, m
+/// @param lowest  z of the lowest vertex, m: the grid begins 0.29 and some whole cells below it
 std::vector<double> errors(double thickness, const Eigen::Matrix3d& turn, double lowest = 0.0) {
   auto disc = radiation::disc(disc_radius, 16, thickness);
   for (Vector3& vertex : disc.vertices) {

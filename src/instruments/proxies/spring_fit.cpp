@@ -184,7 +184,8 @@ std::size_t modes_to_fit(const Lattice& lattice) {
 SpringFit fit_springs(const Lattice& lattice, std::span<const KnownMode> modes) {
   ModalResponse response(lattice, modes);
   const StiffnessLimit limit(lattice);
-  const Fit with_shapes(lattice, response, limit, 0.05), fit(lattice, response, limit, 0.0);
+  constexpr double weight_of_shapes = 0.05;  // of their energies beside the frequencies, in the first stage
+  const Fit with_shapes(lattice, response, limit, weight_of_shapes), fit(lattice, response, limit, 0.0);
   const Vector even = Vector::Constant(std::ssize(lattice.springs()), std::log(std::max(fit.common_factor(), softest)));
   Vector logarithms = fitted(with_shapes, even, even);
   constexpr int turns = 2;  // the fit changes the lattice's modes, so that the first turn is not the last one

@@ -1,5 +1,5 @@
 #pragma once
-// Keeps fitted springs from needing more steps than the springs of the material.
+// How stiff fitted springs may be.
 
 #include <Eigen/Core>
 #include <vector>
@@ -15,8 +15,8 @@ struct Misfit {
   Eigen::MatrixXd slopes;  ///< [springs x residuals] by the logarithms of the factors
 };
 
-/// The bound of the frequencies that the stiffest mass of a lattice gives, from equal weights, is above its largest
-/// frequency by up to a third. Fitted springs may use this margin.
+/// The stiffest mass of a lattice bounds its frequencies: by up to a third above the largest one. Fitted springs may
+/// have frequencies up to this bound, so that they need up to a third more steps than the springs of the material.
 class StiffnessLimit {
  public:
   explicit StiffnessLimit(const Lattice& lattice);

@@ -4,6 +4,9 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <functional>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "idiophone/air/propagation/wave_plan.hpp"
@@ -31,7 +34,22 @@ double least_of(const std::vector<Sheet>& sheets, const waves::Grid& grid) {
   return least;
 }
 
-/// The key and the value with which all sheets lie well. Collective.
+/// With the grid of a scene; negative where there is no such grid, because it has too many cells. Collective.
+double least_with(const scene::Scene& scene, const std::vector<Sheet>& sheets,
+                  const propagation::AudibleSurface& surface, MPI_Comm communicator) {
+  try {
+    return least_of(sheets, propagation::wave_plan(scene, surface, communicator).grid);
+  } catch (const std::runtime_error&) {  // the same on all ranks
+    return -1.0;
+  }
+}
+
+/// What users read of a number.
+double as_printed(double value) {
+  return std::stod(fmt::format("{:.4g}", value));
+}
+
+/// What to do so that all sheets lie well. Collective.
 std::string remedy(scene::Scene scene, const std::vector<Sheet>& sheets, const propagation::AudibleSurface& surface,
                    MPI_Comm communicator) {
   constexpr int divisions = 16;  // of a cell, that the margin grows by; then a cell grows by so many of its parts
@@ -39,13 +57,13 @@ std::string remedy(scene::Scene scene, const std::vector<Sheet>& sheets, const p
   double largest = least_clearance;
   scene::WaveGrid& grid = scene.radiation.grid;
   const auto try_it = [&](double& value, double wanted, const char* key) {
-    const double before = std::exchange(value, wanted);
-    const double least = least_of(sheets, propagation::wave_plan(scene, surface, communicator).grid);
-    value = before;
+    const double before = std::exchange(value, as_printed(wanted));
+    const double least = least_with(scene, sheets, surface, communicator);
     if (least > largest) {
       largest = least;
-      best = fmt::format("radiation.{}: {:.3g}", key, wanted);
+      best = fmt::format("radiation.{}: {:.4g} moves it inwards", key, value);
     }
+    value = before;
   };
   for (int part = 1; part < divisions; ++part) {
     try_it(grid.margin, grid.margin + grid.cell * part / divisions, "margin");
@@ -53,14 +71,15 @@ std::string remedy(scene::Scene scene, const std::vector<Sheet>& sheets, const p
   for (int part = 1; best.empty() && part < divisions; ++part) {
     try_it(grid.cell, grid.cell * (1 + 0.5 * part / divisions), "cell");
   }
-  return best.empty() ? "another radiation.cell" : best;
+  return best.empty() ? "no margin and no cell that was tried moves all sheets inwards: move the body" : best;
 }
 
 }  // namespace
 
 std::vector<std::optional<std::string>> sheet_warnings(const bodies::Preparation& ready, MPI_Comm communicator) {
   std::vector<std::optional<std::string>> warnings(ready.scene.bodies.size());
-  if (ready.scene.radiation.model != scene::RadiationModel::waves) {
+  const bool is_grid_known = ready.scene.recorded_bodies.empty();  // it reaches around recorded bodies, too
+  if (ready.scene.radiation.model != scene::RadiationModel::waves || !is_grid_known) {
     return warnings;
   }
   const propagation::AudibleSurface surface = bodies::audible_surface(ready, communicator);
@@ -72,12 +91,12 @@ std::vector<std::optional<std::string>> sheet_warnings(const bodies::Preparation
     return warnings;
   }
   const std::string what_helps = remedy(ready.scene, sheets, surface, communicator);
-  for (const Sheet& sheet : sheets) {
+  std::ranges::sort(sheets, std::ranges::greater(), [&](const Sheet& sheet) { return clearance(sheet, grid); });
+  for (const Sheet& sheet : sheets) {  // the worst one of a body is the last
     if (clearance(sheet, grid) < least_clearance) {
       warnings[sheet.body] = fmt::format(
           "body {}: its sheet at {} = {:.6g} m lies in the outermost eighth of a cell of the air: its level can be "
-          "half a "
-          "decibel too high, and pitches that the air lowers can be 50 cents too high; {} moves it inwards "
+          "half a decibel too high, and pitches that the air lowers can be 50 cents too high; {} "
           "(docs/use/waves.md#sheets)",
           ready.scene.bodies[sheet.body].name, "xyz"[sheet.axis], sheet.middle, what_helps);
     }

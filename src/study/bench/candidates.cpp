@@ -14,11 +14,10 @@ using Eigen::VectorXd;
 
 namespace {
 
-/// Whether a cut at a place takes material from an earlier groove by a tool that is not wider than those that are
-/// doubted.
-bool deepens_narrow_groove(const Tool& tool, double place, const std::vector<Cut>& made, double widest_doubted) {
+/// Whether a cut by a doubted tool at a place takes material from a groove of another one.
+bool deepens_doubted_groove(const Tool& tool, double place, const std::vector<Cut>& made) {
   return tool.slope_error > 0 && std::ranges::any_of(made, [&](const Cut& cut) {
-           return cut.tool.profile == Profile::groove && cut.tool.radius <= widest_doubted &&
+           return cut.tool.profile == Profile::groove && cut.tool.slope_error > 0 &&
                   std::abs(cut.place - place) < cut.tool.radius + tool.radius;
          });
 }
@@ -27,14 +26,10 @@ bool deepens_narrow_groove(const Tool& tool, double place, const std::vector<Cut
 
 Candidates::Candidates(const Strips& strips, const std::vector<Tool>& tools, const std::vector<Cut>& made) {
   constexpr int strides_of_radius = 4;
-  double widest_doubted = 0.0;
-  for (const Tool& tool : tools) {
-    widest_doubted = tool.slope_error > 0 ? std::max(widest_doubted, tool.radius) : widest_doubted;
-  }
   for (const Tool& tool : tools) {
     const double stride = tool.radius / strides_of_radius;
     for (double place = strips.low() + tool.radius; place <= strips.high() - tool.radius + 1e-9; place += stride) {
-      if (!deepens_narrow_groove(tool, place, made, widest_doubted)) {
+      if (!deepens_doubted_groove(tool, place, made)) {
         candidates_.push_back({tool, place});
       }
     }

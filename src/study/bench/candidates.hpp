@@ -9,8 +9,8 @@
 namespace idiophone::bench {
 
 /// All tools at all places of a body where their cuts lie within it, a quarter of a tool's radius apart. A tool whose
-/// cuts are doubted is not led over an earlier groove that is as narrow: in a bar 7.4 mm thick, 0.41 mm over a groove
-/// of 0.24 mm did 1.9 times what its slope said.
+/// cuts are doubted is not led over an earlier groove of such a tool: in a bar 7.4 mm thick, 0.41 mm over a groove of
+/// 0.24 mm did 1.9 times what its slope said.
 class Candidates {
  public:
   /// @param made  cuts that the body has already

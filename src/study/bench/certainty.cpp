@@ -21,12 +21,14 @@ VectorXd deviations_of(const VectorXd& partials, bool are_ratios) {
   return deviations;
 }
 
-/// How much more than a cut does for each metre of its depth, a metre does at the bottom of one that is much deeper
-/// than asked: grooves do more the deeper they are.
-double steepness_of(Cut cut, double deeper) {
-  const double modelled = modelled_depth(cut) / cut.depth;
-  cut.depth += deeper;
-  return modelled_depth_slope(cut) / modelled;
+/// What a metre of depth does from the bottom of a cut on, over what a metre of the cut does: grooves do more the
+/// deeper they are.
+/// @param deeper  m, how far below the bottom
+double steepness_of(const Cut& cut, double deeper) {
+  Cut deep = cut;
+  deep.depth += deeper;
+  const double here = modelled_depth(cut);
+  return (modelled_depth(deep) - here) / deeper * cut.depth / here;
 }
 
 }  // namespace

@@ -37,18 +37,18 @@ void carry_over(Learned& learned, const TapHypothesis& hypothesis, const std::ve
   }
 }
 
-/// Doubts lines that are far from where their modes were expected: a cut was not made as asked, or the tap is wrong.
-/// The next tap decides.
+/// Doubts the line that is farthest from where its mode was expected, if that is far: a cut was not made as asked, or
+/// the tap is wrong. The next tap decides.
 void doubt_surprise(Learned& learned, const TapHypothesis& hypothesis, const std::vector<std::size_t>& tuned,
                     const std::vector<fitting::Line>& lines) {
-  const auto is_surprise = [&](std::size_t mode) { return std::abs(hypothesis.surprises[mode]) > surprising; };
-  const auto mode = std::ranges::find_if(tuned, is_surprise);
-  if (!learned.doubt && mode != tuned.end()) {
-    learned.doubt = {.mode = *mode,
-                     .line = lines[*hypothesis.lines[*mode]].frequency,
+  const std::size_t mode =
+      *std::ranges::max_element(tuned, {}, [&](std::size_t each) { return std::abs(hypothesis.surprises[each]); });
+  if (!learned.doubt && std::abs(hypothesis.surprises[mode]) > surprising) {
+    learned.doubt = {.mode = mode,
+                     .line = lines[*hypothesis.lines[mode]].frequency,
                      .other_line = {},
                      .other = {},
-                     .surprise = hypothesis.surprises[*mode]};
+                     .surprise = hypothesis.surprises[mode]};
   }
 }
 

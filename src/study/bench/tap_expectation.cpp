@@ -78,12 +78,6 @@ void TapExpectations::set_mode(ExpectedTap& expected, std::size_t mode, const Wo
   }
 }
 
-double TapExpectations::doubt_of(const Cut& cut) const {
-  std::vector<Tool> tools = {cut.tool};
-  doubt_narrow_tools(tools, piece_.thinnest());
-  return tools.front().slope_error;
-}
-
 void TapExpectations::set_spread(ExpectedTap& expected, const Tap& tap) {
   if (is_first_) {
     expected.spread[TapUnknowns::shift] = common_deviation;
@@ -92,8 +86,8 @@ void TapExpectations::set_spread(ExpectedTap& expected, const Tap& tap) {
   }
   Eigen::VectorXd by_cuts = beliefs_.slope_error * (expected.cents - before_);
   for (std::size_t cut = cuts_before_; cut < tap.cuts; ++cut) {
-    by_cuts.array() = by_cuts.array().abs() +
-                      doubt_of(made_[cut]) * made_[cut].depth * expected.slopes.col(unknowns_.depth(cut)).array().abs();
+    by_cuts.array() = by_cuts.array().abs() + doubt_of(made_[cut].tool, piece_.thinnest()) * made_[cut].depth *
+                                                  expected.slopes.col(unknowns_.depth(cut)).array().abs();
   }
   for (std::size_t mode = 0; mode < unknowns_.modes; ++mode) {
     const double spread = by_cuts[static_cast<Eigen::Index>(mode)];

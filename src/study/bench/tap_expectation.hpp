@@ -40,7 +40,6 @@ class TapExpectations {
  private:
   void set_mode(ExpectedTap& expected, std::size_t mode, const Workpiece::Solved& body, const Tap& tap) const;
   void set_spread(ExpectedTap& expected, const Tap& tap);
-  [[nodiscard]] double doubt_of(const Cut& cut) const;  ///< slope error that its tool adds
 
   const Workpiece& piece_;
   const std::vector<Cut>& made_;

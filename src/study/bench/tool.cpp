@@ -86,12 +86,16 @@ void require_suitable_radii(const std::vector<Tool>& tools, double length) {
   }
 }
 
-std::vector<Tool> doubt_narrow_tools(std::vector<Tool>& tools, double thinnest) {
+double doubt_of(const Tool& tool, double thinnest) {
   constexpr double narrow_error = 0.15;
+  return 2 * tool.radius < thinnest ? narrow_error : 0.0;
+}
+
+std::vector<Tool> doubt_narrow_tools(std::vector<Tool>& tools, double thinnest) {
   std::vector<Tool> narrow;
   for (Tool& tool : tools) {
-    if (2 * tool.radius < thinnest) {
-      tool.slope_error = narrow_error;
+    if (const double doubt = doubt_of(tool, thinnest); doubt > 0) {
+      tool.slope_error = doubt;
       narrow.push_back(tool);
     }
   }

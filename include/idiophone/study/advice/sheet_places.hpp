@@ -30,12 +30,12 @@ struct Sheet {
 
 constexpr double least_clearance = 0.125;  ///< with which sheets are accurate, cells
 
-/// From the middle of a sheet to the nearest plane of the grid, cells, less what the sheet is thicker than an eighth on
-/// this side.
+/// d - max(0, t - 1/8)/2 in cells, with the distance d from the middle of a sheet to the nearest plane of the grid, and
+/// its thickness t.
 [[nodiscard]] double clearance(const Sheet& sheet, const waves::Grid& grid);
 
 /// Why the air beside a body can't be trusted, and what moves its sheet to the middle of a cell: [bodies]; none with
-/// other models than waves, and for bodies that leave their place. Collective.
+/// other models than waves, beside recorded bodies, and for bodies that leave their place. Collective.
 [[nodiscard]] std::vector<std::optional<std::string>> sheet_warnings(const bodies::Preparation& ready,
                                                                      MPI_Comm communicator);
 

@@ -63,7 +63,9 @@ struct Plan {
 /// solved with the cuts, and their depths are corrected by the slopes half-way, in up to five rounds; then they become
 /// shallower until they are safe. No cut is deeper than allowed.
 /// @param model  of the body; what it is with no further cut counts as the measured body
-/// @param made   cuts that the body has already: narrow grooves are not made deeper by tools that are doubted
+/// @param made   cuts that the body has already, with the slope errors of their tools: grooves of tools that are
+/// doubted are
+///               not made deeper by such tools
 /// It never says `ambiguous`.
 /// @throws OutsideOfModel where the model has no answer for the next cuts
 [[nodiscard]] Plan plan_cuts(const CutModel& model, const std::vector<Tool>& tools, const Partials& partials,

@@ -36,8 +36,13 @@ struct Radii {
 /// @throws std::runtime_error for a tool whose radius does not suit a body of this length (m)
 void require_suitable_radii(const std::vector<Tool>& tools, double length);
 
-/// Tools whose cuts are narrower than the body is thick get a slope error: nodes that move do not relieve the material
-/// beside a cut, and what is added for it is not exact for deep narrow cuts (docs/use/bench.md, Limits).
+/// The slope error of a tool whose cuts are narrower than the body is thick; 0 of others. Nodes that move do not
+/// relieve the material beside a cut, and what is added for it is not exact for deep narrow cuts (docs/use/bench.md,
+/// Limits).
+/// @param thinnest  m, of the body
+[[nodiscard]] double doubt_of(const Tool& tool, double thinnest);
+
+/// Gives such tools their slope errors.
 /// @param thinnest  m, of the body
 /// @return those tools
 std::vector<Tool> doubt_narrow_tools(std::vector<Tool>& tools, double thinnest);
