@@ -31,7 +31,7 @@ void read_shank(Section& section, Joint& joint, const std::vector<Material>& mat
   Shank& shank = joint.shank.emplace();
   section.required("shank", shank.radius, bolt_length);
   constexpr double shortest = 1e-6;  // m
-  if (section.required("axis", joint.axis) && (joint.axis->end - joint.axis->begin).norm() < shortest) {
+  if (section.required("axis", joint.axis) && (joint.axis.end - joint.axis.begin).norm() < shortest) {
     section.refuse("axis", fmt::format("is shorter than {:g} m: a shank is a beam between two washers", shortest));
   }
   if (section.required("radius", shank.washer, bolt_length) && shank.washer < shank.radius) {
