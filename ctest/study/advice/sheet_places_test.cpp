@@ -101,7 +101,7 @@ TEST(Sheets, WhatIsTiltedOrMovesOrIsHeardOtherwiseIsNotDoubted) {
 
 TEST(Sheets, MoveInwardsAsTheWarningSays) {
   bodies::Preparation ready = plate_over_block(at_place(0.95), 1e-4);
-  EXPECT_THAT(warning(ready), testing::HasSubstr("radiation.margin: 0.00313 moves it inwards"));
+  EXPECT_THAT(warning(ready), testing::HasSubstr("radiation.margin: 0.003125 moves it inwards"));
   ready.scene.radiation.grid.margin = 0.00313;
   EXPECT_EQ(warning(ready), "");
   ready = plate_over_block(0.0095, 1e-4);
