@@ -56,6 +56,13 @@ SIZES = (Size("1842 tet4", {}, 60),
                                             "bodies.plate.parameters.size": 0.3 / 32}, 2))
 
 
+@functools.cache
+def halo_bytes(program, size):
+    """Of a message between two ranks in a step."""
+    done = subprocess.run([program, "check", DECK, *size.words(), "-n", "2", "--json"], capture_output=True, text=True, check=True)
+    return round(json.loads(done.stdout)["prediction"]["largest_part"]["halo_bytes"])
+
+
 class Clock:
     """What two hosts of a network need, one rank on each."""
 
@@ -76,16 +83,10 @@ class Clock:
 
     def message(self, size):
         """Latency and overhead in s, and bandwidth in bytes/s, of messages of MPI as long as those of a step."""
-        lines = self.run([self.folder / "ping_pong", 0, self.halo_bytes(size)]).splitlines()
+        lines = self.run([self.folder / "ping_pong", 0, halo_bytes(self.program, size)]).splitlines()
         (_, latency, _), (bytes_sent, longer, overhead) = (map(float, line.split()) for line in lines)
         overhead = max(overhead, 0)
         return max(latency, 2 * overhead), overhead, bytes_sent / (longer - latency)
-
-    @functools.cache
-    def halo_bytes(self, size):
-        done = subprocess.run([self.program, "check", DECK, *size.words(), "-n", "2", "--json"], capture_output=True, text=True,
-                              check=True)
-        return round(json.loads(done.stdout)["prediction"]["largest_part"]["halo_bytes"])
 
     def step(self, size):
         """s"""
