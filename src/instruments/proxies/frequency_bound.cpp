@@ -66,6 +66,7 @@ FrequencyBounds frequency_bounds(std::span<const Vector3> nodes, std::span<const
     tensors.push_back(tensor_of(spring, nodes));
   }
   std::vector<double> equal;
+  equal.reserve(pinned.size());
   for (const bool is_pinned : pinned) {
     equal.push_back(is_pinned ? 0.0 : 1.0);
   }
