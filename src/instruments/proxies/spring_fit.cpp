@@ -30,6 +30,9 @@ class Fit {
     std::ranges::transform(lattice.springs(), stiffness_.begin(), &Spring::stiffness);
     const Vector& squares = response.known_squares();
     weights_ = (squares[0] / squares.array()).sqrt().sqrt();
+    if (share_of_shapes > 0.0) {
+      of_shapes_ = response.elongations_of_shapes();
+    }
   }
 
   [[nodiscard]] Vector stiffness(const Vector& logarithms) const {
@@ -45,9 +48,8 @@ class Fit {
     const auto [matrix, elongations] = response_.flexibility(stiffness);
     std::vector<Misfit> parts = {from_identity(matrix, elongations, -stiffness, 1.0), limit_.excess(stiffness)};
     if (share_of_shapes_ > 0.0) {
-      const Matrix of_shapes = response_.elongations_of_shapes();
-      const Matrix energies = of_shapes.transpose() * stiffness.asDiagonal() * of_shapes;
-      parts.push_back(from_identity(energies, of_shapes, stiffness, share_of_shapes_));
+      const Matrix energies = of_shapes_.transpose() * stiffness.asDiagonal() * of_shapes_;
+      parts.push_back(from_identity(energies, of_shapes_, stiffness, share_of_shapes_));
     }
     return joined(parts);
   }
@@ -91,6 +93,7 @@ class Fit {
   const ModalResponse& response_;
   const StiffnessLimit& limit_;
   double share_of_shapes_;
+  Matrix of_shapes_;  ///< [springs x modes] elongations by the shapes as they are now; empty if they don't count
   Vector stiffness_;  ///< [springs] of the lattice, N/m
   Vector weights_;    ///< [modes] high ones matter less: their weights fall as 1/sqrt(w)
 };
