@@ -13,7 +13,7 @@ using ::testing::Not;
 
 ON_RANKS(1);
 
-TEST(ModalProposal, NamesBodiesWhereItSavesHours) {
+TEST(ModalProposal, NamesBodiesWhereItSavesTenMinutes) {
   scene::Scene scene;
   scene.bodies.resize(3);
   scene.bodies[0].name = "plate";
@@ -26,7 +26,8 @@ TEST(ModalProposal, NamesBodiesWhereItSavesHours) {
   EXPECT_THAT(
       modal_proposal(scene, 5 * 3600.0).value_or(""),
       AllOf(HasSubstr("takes 5.0 h"), HasSubstr("up_to: 12000} for plate, bracket saves"), Not(HasSubstr("hinged"))));
-  EXPECT_FALSE(modal_proposal(scene, 600.0));
+  EXPECT_TRUE(modal_proposal(scene, 601.0));
+  EXPECT_FALSE(modal_proposal(scene, 599.0));
   scene.bodies[0].modal.emplace();
   scene.bodies[1].modal.emplace();
   EXPECT_FALSE(modal_proposal(scene, 5 * 3600.0)) << "nothing is left to propose";

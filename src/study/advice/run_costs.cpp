@@ -55,7 +55,7 @@ RunCosts run_costs(const bodies::Preparation& ready, const Measured& measured, d
 }
 
 std::optional<std::string> modal_proposal(const scene::Scene& scene, double motion) {
-  constexpr double hour = 3600.0;
+  constexpr double least = 600.0;              // s
   constexpr double highest_audible = 20000.0;  // Hz
   std::vector<std::string> names;
   for (const scene::Body& body : scene.bodies) {
@@ -63,7 +63,7 @@ std::optional<std::string> modal_proposal(const scene::Scene& scene, double moti
       names.push_back(body.name);
     }
   }
-  if (motion < hour || names.empty() || !scene.joints.empty()) {  // which can limit the step of modal bodies, too
+  if (motion < least || names.empty() || !scene.joints.empty()) {  // which can limit the step of modal bodies, too
     return {};
   }
   return fmt::format(

@@ -45,7 +45,7 @@ struct RunCosts {
 [[nodiscard]] RunCosts run_costs(const bodies::Preparation& ready, const Measured& measured, double memory,
                                  MPI_Comm communicator);
 
-/// Bodies of finite elements that could be modal bodies, where the motion takes more than an hour, and what that saves;
+/// Bodies of finite elements that could be modal bodies, where the motion takes ten minutes or more, and what that saves;
 /// none where it would save less.
 /// @param motion  processor time of the motion without contact, s
 [[nodiscard]] std::optional<std::string> modal_proposal(const scene::Scene& scene, double motion);
