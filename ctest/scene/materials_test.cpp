@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "deck_fixture.hpp"
+#include "idiophone/scene/undamped.hpp"
 
 namespace idiophone::scene {
 
@@ -39,6 +40,17 @@ TEST_F(Materials, StartFromOneThatComesWithTheProgram) {
   EXPECT_EQ(heavy.density, 9000);
   EXPECT_EQ(heavy.damping.mass, 3);
   EXPECT_EQ(heavy.where.line, 3U);
+}
+
+TEST_F(Materials, WithoutDampingLetBodiesRing) {
+  for (const auto& [damping, rings] : std::map<std::string, bool>{{"{}", true},
+                                                                  {"{mass: 3}", false},
+                                                                  {"{stiffness: 1e-8}", false},
+                                                                  {"{loss_factor: table}", false},
+                                                                  {"{loss_factor: 0}", true}}) {
+    const Scene scene = read(deck("materials: {own: {from: brass, damping: " + damping + "}}\n", "own"));
+    EXPECT_EQ(is_undamped(scene.bodies.at(0), scene.materials), rings) << damping;
+  }
 }
 
 TEST_F(Materials, OfTheDeckTakeThePlaceOfThoseOfTheSameName) {

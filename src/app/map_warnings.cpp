@@ -5,6 +5,7 @@
 #include "idiophone/instruments/sound_maps/air_mass.hpp"
 #include "idiophone/instruments/sound_maps/small_vibrations.hpp"
 #include "idiophone/scene/joined_bodies.hpp"
+#include "idiophone/scene/undamped.hpp"
 #include "listener_warnings.hpp"
 
 namespace idiophone::app {
@@ -19,6 +20,9 @@ void warn_of_what_maps_lack(const scene::Scene& scene) {
           "body {}: mass_scaling lowers the pitches of its map by up to {:.3g} cents, as it does in a run. A map has "
           "no steps that it could lengthen: leave it out",
           body.name, body.mass_scaling->shift);
+    }
+    if (scene::is_undamped(body, scene.materials)) {
+      spdlog::warn("body {}: {}", body.name, scene::undamped_in_words);
     }
   }
   if (scene::assemblies(scene).size() + scene.obstacles.size() > 1) {

@@ -7,6 +7,7 @@
 #include "gltf_object.hpp"
 #include "idiophone/scene/ranges.hpp"
 #include "idiophone/scene/sections.hpp"
+#include "idiophone/scene/undamped.hpp"
 
 namespace idiophone::scene {
 
@@ -19,6 +20,13 @@ std::vector<MaterialRegion> Body::all_regions() const {
   whole.grain = grain;
   whole.where = where;
   return {whole};
+}
+
+bool is_undamped(const Body& body, const std::vector<Material>& materials) {
+  return std::ranges::none_of(body.all_regions(), [&](const MaterialRegion& region) {
+    const Damping& damping = materials[region.material].damping;
+    return damping.mass > 0 || damping.stiffness > 0 || damping.loss;
+  });
 }
 
 namespace {

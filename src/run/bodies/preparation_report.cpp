@@ -7,6 +7,7 @@
 
 #include "idiophone/foundation/dense/dense.hpp"
 #include "idiophone/foundation/element/type.hpp"
+#include "idiophone/scene/undamped.hpp"
 #include "idiophone/solids/joints/beam_stiffness.hpp"
 #include "idiophone/solids/solid/relaxation.hpp"
 #include "steps.hpp"
@@ -89,7 +90,7 @@ void report_joint(const scene::Joint& joint, const joints::MeshedJoint& meshed) 
   }
 }
 
-/// Regions with their materials, and loss factors.
+/// Regions with their materials, and loss factors, or that there is no damping.
 void report_materials(const Preparation& ready, std::size_t b) {
   const scene::Body& body = ready.scene.bodies[b];
   for (std::size_t r = 0; r < body.regions.size(); ++r) {
@@ -105,6 +106,9 @@ void report_materials(const Preparation& ready, std::size_t b) {
                    relaxation.mechanisms.size(),
                    loss->curve.empty() ? "" : fmt::format(", within {:.1f} %", 100 * relaxation.deviation));
     }
+  }
+  if (!is_held_everywhere(ready, b) && scene::is_undamped(body, ready.scene.materials)) {
+    spdlog::info("  {}", scene::undamped_in_words);
   }
 }
 
