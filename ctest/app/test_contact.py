@@ -177,6 +177,13 @@ class Contact(program.TestCase):
         self.assertRegex(said, r"left: the two overlap at the start, .* m3 around \(-0.03")
         self.assertNotIn("right: the two overlap", said)
 
+    def test_bodies_that_would_crush_each_other_at_the_start_are_refused(self):
+        for command in "run", "check":
+            job = program.idiophone(command, program.SOURCE / "ctest/app/decks/bounce.yaml", "--set", "obstacles.left.at=[-0.02, 0, 0]",
+                                    *(("--output-folder", self.output) if command == "run" else ()))
+            self.require_status(job, program.FAILED)
+            self.assertRegex(job.stderr, r"left: the two overlap at the start, .* Pa, more than Young's modulus of 5e\+06 Pa; move them")
+
     def test_parts_of_a_body_that_overlap_at_the_start_are_named(self):
         mesh = self.output / "ring.geo"  # of more than one turn
         mesh.write_text("""

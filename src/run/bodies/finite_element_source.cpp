@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 
 #include "body_surfaces.hpp"
 #include "idiophone/foundation/parallel/reduce.hpp"
@@ -13,6 +15,17 @@
 #include "idiophone/solids/modal_bodies/rotation_limit.hpp"
 
 namespace idiophone::bodies {
+
+/// Young's modulus of the softest material that takes part in a contact, Pa.
+static double softest_modulus(const scene::Scene& scene, const scene::Contact& contact) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::size_t body : {contact.body, contact.other.value_or(contact.body)}) {
+    for (const scene::MaterialRegion& region : scene.bodies[body].all_regions()) {
+      least = std::min(least, scene.materials[region.material].young);
+    }
+  }
+  return least;
+}
 
 std::int64_t sound_samples(const scene::Scene& scene) {
   return std::max<std::int64_t>(1, std::llround(scene.time.duration * scene.audio.rate));
@@ -53,7 +66,7 @@ void FiniteElementSource::start(surface::SurfaceMotion& motion) {
   if (air_) {
     air_->start();
   }
-  report_overlaps();
+  check_overlaps();
   surfaces_->start(motion_, motion);
   note_channels();
   stability_.start(observe_now());
@@ -157,21 +170,31 @@ double FiniteElementSource::deepest(std::size_t contact) const {
   return parallel::largest(motion_.contacts().deepest(contact), communicator_);
 }
 
-void FiniteElementSource::report_overlaps() const {
+void FiniteElementSource::check_overlaps() const {
   for (std::size_t c = 0; c < motion_.contacts().count(); ++c) {
     const contact::ContactMotion now = motion_.contacts().now(c);
     std::array<double, 4> place = {now.overlap, now.point.x(), now.point.y(), now.point.z()};
     parallel::reduce(place, MPI_SUM, communicator_);  // zero on all ranks but one
     const double depth = deepest(c);
+    if (depth == 0) {
+      continue;
+    }
     const scene::Contact& contact = ready_.scene.contacts[c];
-    if (depth > 0 && rank_ == 0) {
-      const std::string who =
-          contact.other == contact.body ? "parts of " + ready_.scene.bodies[contact.body].name : "the two";
-      spdlog::warn(
-          "{}: {} overlap at the start, {:.3g} m3 around ({:.4g}, {:.4g}, {:.4g}), {:.3g} m deep, and will fly "
-          "apart; {} so that they only touch",
-          contact.name, who, place[0], place[1], place[2], place[3], depth,
-          contact.other == contact.body ? "change the mesh" : "move them");
+    const bool is_with_itself = contact.other == contact.body;
+    const std::string found =
+        fmt::format("{}: {} overlap at the start, {:.3g} m3 around ({:.4g}, {:.4g}, {:.4g}), {:.3g} m deep",
+                    contact.name, is_with_itself ? "parts of " + ready_.scene.bodies[contact.body].name : "the two",
+                    place[0], place[1], place[2], place[3], depth);
+    const char* remedy = is_with_itself ? "change the mesh" : "move them";
+    const double pressure = ready_.contact_surfaces.stiffness[c] * depth;
+    if (const double modulus = softest_modulus(ready_.scene, contact); pressure > modulus) {
+      throw std::runtime_error(fmt::format(
+          "{}: a contact pressure of {:.3g} Pa, more than Young's modulus of {:.3g} Pa; {} so that they only "
+          "touch",
+          found, pressure, modulus, remedy));
+    }
+    if (rank_ == 0) {
+      spdlog::warn("{}, and will fly apart; {} so that they only touch", found, remedy);
     }
   }
 }

@@ -67,7 +67,9 @@ class FiniteElementSource : public Source {
   void note_channels();
   /// Deepest penetration of a contact so far on any rank, m. Collective.
   [[nodiscard]] double deepest(std::size_t contact) const;
-  void report_overlaps() const;
+  /// Warns of partners that overlap at the start. Collective.
+  /// @throws std::runtime_error where their contact pressure exceeds Young's modulus of the softer one
+  void check_overlaps() const;
   void report_fracture() const;
   void warn_of_vibrations();
   /// What is wrong with a modal body that vibrates more than its model is right for; empty where nothing is.
