@@ -51,16 +51,17 @@ RunCosts run_costs(const bodies::Preparation& ready, const Measured& measured, d
   }
   costs.most = costs.preparation + files * costs.samples * measured.sample.seconds + costs.contact;
   costs.ranks = parallel::size_of(communicator);
+  costs.modal_proposal = modal_proposal(scene, ready.initial_state.steps, costs.motion);
   return costs;
 }
 
-std::optional<std::string> modal_proposal(const scene::Scene& scene, double motion) {
+std::string modal_proposal(const scene::Scene& scene, std::span<const motion::StableStep> steps, double motion) {
   constexpr double least = 600.0;              // s
   constexpr double highest_audible = 20000.0;  // Hz
   std::vector<std::string> names;
-  for (const scene::Body& body : scene.bodies) {
-    if (can_be_modal(body)) {
-      names.push_back(body.name);
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    if (can_be_modal(scene.bodies[b]) && steps[b].is_limited()) {
+      names.push_back(scene.bodies[b].name);
     }
   }
   if (motion < least || names.empty() || !scene.joints.empty()) {  // which can limit the step of modal bodies, too
@@ -101,8 +102,8 @@ void report(const RunCosts& costs, const scene::Scene& scene, const std::vector<
                  scene.contacts[c].name, cost.steps, cost.time.begin, 1e3 * cost.step_seconds,
                  duration_text(cost.seconds()));
   }
-  if (const auto proposal = modal_proposal(scene, costs.motion)) {
-    spdlog::info(*proposal);
+  if (!costs.modal_proposal.empty()) {
+    spdlog::info(costs.modal_proposal);
   }
   spdlog::info("about {} on {} rank{} ({} of it preparation; a step takes {:.3g} ms without contact)",
                duration_text(costs.seconds()), costs.ranks, costs.ranks == 1 ? "" : "s",
@@ -128,7 +129,7 @@ nlohmann::json facts_of(const RunCosts& costs, const scene::Scene& scene, const 
                           {"least_seconds", costs.least},
                           {"most_seconds", costs.most},
                           {"ranks", costs.ranks},
-                          {"modal_proposal", modal_proposal(scene, costs.motion).value_or("")},
+                          {"modal_proposal", costs.modal_proposal},
                           {"contacts", nlohmann::json::object()}};
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     nlohmann::json& contact = facts["contacts"][scene.contacts[c].name];  // null if nothing is known

@@ -5,7 +5,7 @@
 
 #include <cmath>
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,6 +35,7 @@ struct RunCosts {
   double least = 0.0;         ///< processor time of the run with no more contact than is certain, s
   double most = 0.0;          ///< processor time of the run with contact at the most, s
   int ranks = 1;
+  std::string modal_proposal = {};  ///< empty: none
 
   /// Wall clock of the run, s: the geometric mean of both, so that it errs by the same factor in both directions.
   [[nodiscard]] double seconds() const { return std::sqrt(least * most); }
@@ -45,10 +46,12 @@ struct RunCosts {
 [[nodiscard]] RunCosts run_costs(const bodies::Preparation& ready, const Measured& measured, double memory,
                                  MPI_Comm communicator);
 
-/// Bodies of finite elements that could be modal bodies, where the motion takes ten minutes or more, and what that saves;
-/// none where it would save less.
+/// Bodies of finite elements that could be modal bodies, where the motion takes ten minutes or more, and what that
+/// saves; empty where it would save less.
+/// @param steps   [bodies] those that are held everywhere limit none, and take no time
 /// @param motion  processor time of the motion without contact, s
-[[nodiscard]] std::optional<std::string> modal_proposal(const scene::Scene& scene, double motion);
+[[nodiscard]] std::string modal_proposal(const scene::Scene& scene, std::span<const motion::StableStep> steps,
+                                         double motion);
 
 /// A time for people: seconds, minutes or hours.
 [[nodiscard]] std::string duration_text(double seconds);
