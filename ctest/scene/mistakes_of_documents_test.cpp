@@ -73,9 +73,8 @@ TEST_F(MistakenDocuments, UnreadableDecks) {
     }
     return std::string("no mistakes");
   };
-  EXPECT_EQ(answer(folder / "no.yaml"),
-            "can't read the deck " + (folder / "no.yaml").string() + ": No such file or directory");
-  EXPECT_EQ(answer(folder), "can't read the deck " + folder.string() + ": it is a folder; name the .yaml file in it");
+  EXPECT_EQ(answer(folder / "no.yaml"), "can't read " + (folder / "no.yaml").string() + ": No such file or directory");
+  EXPECT_EQ(answer(folder), "can't read " + folder.string() + ": it is a folder; name the .yaml file in it");
 }
 
 }  // namespace idiophone::scene

@@ -16,7 +16,7 @@ namespace idiophone::deck {
 
 std::string read_text(const std::filesystem::path& file) {
   const auto fail = [&file](const char* why) {
-    throw std::runtime_error(fmt::format("can't read the deck {}: {}", file.string(), why));
+    throw std::runtime_error(fmt::format("can't read {}: {}", file.string(), why));
   };
   if (std::filesystem::is_directory(file)) {
     fail("it is a folder; name the .yaml file in it");
