@@ -1,6 +1,8 @@
 #!/usr/bin/python3
 """Bodies that a joint ties together: their sound, energies, modes and sound map, and what is refused."""
+import itertools
 import json
+import tempfile
 import unittest
 
 import h5py
@@ -16,6 +18,12 @@ SPRING = "--set", ("joints.coil={type: spring, between: [left.clamp, right.clamp
                    "at: [0.03, 0, 0], radius: 1, damping: 1.0e-4}")
 BOLT = "--set", ("joints={bolt: {type: bolt, between: [left.clamp, right.tip], axis: [[0, 0, 0], [0.1205, 0, 0]], radius: 0.01, "
                  "shank: 0.003, material: rubber, preload: 20}}")
+STIFF = ("--set", "materials.rubber={young: 2.0e11, poisson: 0.3, density: 7850}",
+         "--set", "materials.wire={young: 2.0e9, poisson: 0.3, density: 1000}", "--set", "bodies.left.spin=[0, 0, 0]",
+         "--set", "time.duration=0.002", "--set", "audio.rate=16000")
+STUD = ("stud: {type: bolt, between: [left.clamp, right.tip], axis: [[0, 0, 0], [0.1205, 0, 0]], radius: 0.02, shank: 0.003, "
+        "material: wire, preload: 30}")
+PAD = "pad: {between: [left.tip, right.clamp], stiffness: {normal: 1.0e9, tangential: 1.0e9}}"
 SCORE = """
 duration: 0.1
 events:
@@ -112,6 +120,44 @@ class Joints(program.TestCase):
         self.require_same(self.output / "three" / "joined.h5", alone)
         self.run_in_jobs("joined", self.output, *BOLT, ranks=4 * (2, 1))
         self.require_same(self.output / "joined.h5", alone)
+
+    def said_of_bolts(self, joints, speed, ranks=(1,), jobs=1):
+        """What a run of two steel blocks of 0.2826 kg says of bolts. They fly apart, each at a speed.
+        @param ranks  of its jobs in turn
+        @param jobs   at most so many: if more than one, each stops at the end of its first block"""
+        motion = "--set", f"bodies.left.velocity=[{-speed}, 0, 0]", "--set", f"bodies.right.velocity=[{speed}, 0, 0]"
+        limit = ("--set", "time.wall_clock_limit=1e-6") if jobs > 1 else ()
+        said = ""
+        with tempfile.TemporaryDirectory() as folder:
+            for _, count in zip(range(jobs), itertools.cycle(ranks)):
+                job = program.run("joined", folder, *STIFF, *motion, *limit, "--set", f"joints={{{joints}}}", "--resume", ranks=count)
+                said += job.stdout + job.stderr
+                if job.returncode != program.RESUMABLE:
+                    break
+        self.require_status(job, program.FINISHED)
+        return [line for line in said.splitlines() if "the motion t" in line]
+
+    def test_a_bolt_that_loses_its_pull_is_warned_of(self):
+        # A spring k = E A/L between two masses: the force is v sqrt(2 k m) sin(sqrt(2 k/m) t), here 51.5 N, above 30 N at 0.34 ms.
+        said = self.said_of_bolts(STUD, -0.1)
+        self.assertEqual(len(said), 2)
+        self.assertRegex(said[0], r"joint stud: at 0.000375 s the motion takes 32\.\d+ N off the pull of its shank, which its preload "
+                         "of 30 N gives: head and nut would come off, and here the shank pushes")
+        self.assertIn("joint stud: the motion took at most 1.71 of its preload off the pull of its shank", said[1])
+        resumed = self.said_of_bolts(STUD, -0.1, ranks=(3, 1), jobs=10)
+        self.assertEqual([resumed[0], resumed[-1]], said)
+        self.assertEqual(sum("the motion takes" in line for line in resumed), 1)
+
+    def test_parts_that_a_blow_pulls_apart_are_warned_of(self):
+        # Likewise with the stiffness of stud and pad: their forces are as 469 to 600, and 0.2 m/s make 77.7 N.
+        said = self.said_of_bolts(f"{PAD}, {STUD}", 0.1)
+        self.assertEqual(len(said), 3)
+        self.assertRegex(said[0], r"joint stud: at 0.0003125 s the motion takes 33\.\d+ N off the pressure at the joint 'pad', which "
+                         "its preload of 30 N gives: the parts would come apart there")
+        self.assertIn("the motion took at most 1.45 of its preload off the pressure at the joint 'pad'", said[1])
+        self.assertIn("the motion took at most 1.13 of its preload off the pull of its shank", said[2])
+        self.assertEqual(self.said_of_bolts(f"{PAD}, {STUD}", 0.1, ranks=(3,)), said)
+        self.assertEqual(len(self.said_of_bolts(f"{PAD}, {STUD}", 0.06)), 2)  # 0.87 and 0.68
 
     def test_bolted_bodies_have_modes_and_a_map_that_rise_with_the_preload(self):
         lowest = []

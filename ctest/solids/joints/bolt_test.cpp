@@ -8,7 +8,9 @@
 #include <numbers>
 
 #include "assembly.hpp"
+#include "idiophone/foundation/parallel/reduce.hpp"
 #include "idiophone/solids/joints/beam_stiffness.hpp"
+#include "idiophone/solids/joints/bolt_forces.hpp"
 #include "joined_blocks.hpp"
 #include "ranks.hpp"
 
@@ -153,6 +155,80 @@ TEST(Shank, RefusesWhatItCannotHold) {
   EXPECT_THAT(refusal(stud), testing::HasSubstr("joints.stud: both ends hold the same elements"));
   stud.axis.end.x() = 0.18;
   EXPECT_EQ(refusal(stud), "");
+}
+
+/// Two blocks that a stud presses together, with glue between their end faces.
+struct ClampedBlocks : JoinedBlocks {
+  ClampedBlocks() : JoinedBlocks(MPI_COMM_WORLD) {
+    scene.joints = {joint_of("glue"), joint_of("stud")};
+    meshed = find_joints(scene, meshes);
+    part = mesh::distribute(parallel::is_root(MPI_COMM_WORLD) ? meshes : std::vector<mesh::Mesh>{}, MPI_COMM_WORLD,
+                            coupled_nodes(meshed));
+    joints = std::make_unique<Joints>(meshed, part);
+    state.resize(part.node_ids.size());
+  }
+
+  /// The blocks move apart.
+  void part_by(double distance) {
+    for (std::size_t node = 0; node < state.size(); ++node) {
+      state[node].displacement[0] = part.reference[node].x() > 0.1 + gap / 2 ? distance : 0.0;
+    }
+  }
+
+  [[nodiscard]] const scene::Shank& shank() const { return *scene.joints[1].shank; }
+};
+
+/// Over all ranks.
+double sum_over_ranks(const ReproducibleSum& share) {
+  ReproducibleSum::Words words = share.words();
+  parallel::reduce(words, MPI_SUM, MPI_COMM_WORLD);
+  return ReproducibleSum::from_words(words).value();
+}
+
+ON_RANKS(1, 3);
+
+TEST(BoltForces, AreThoseOfSpringsBetweenBlocksThatMoveApart) {
+  ClampedBlocks blocks;
+  const BoltForces forces(blocks.scene, *blocks.joints, blocks.part, MPI_COMM_WORLD);
+  ASSERT_THAT(forces.all(), testing::ElementsAre(BoltForce{1, 0}, BoltForce{1, 1}));
+  constexpr double distance = 1e-7, preload = 5e4;
+  blocks.part_by(distance);
+  const std::vector<ReproducibleSum> taken = forces.taken(blocks.state);
+  const double of_glue = 3e12 * 0.03 * 0.02 * distance / preload;
+  EXPECT_NEAR(sum_over_ranks(taken[0]), of_glue, 1e-9 * of_glue);
+  const double of_shank = beam_stiffness(blocks.shank(), 0.2 + JoinedBlocks::gap).axial * distance / preload;
+  EXPECT_NEAR(sum_over_ranks(taken[1]), -of_shank, 1e-9 * of_shank);
+}
+
+TEST(BoltForces, AreThoseOfLayersInTheConesOfTheWashers) {
+  ClampedBlocks blocks;
+  scene::Joint& stud = blocks.scene.joints[1];
+  stud.axis = {{0.096, 0.015, 0.01}, {0.104, 0.015, 0.01}};  // the cones are 7 mm wide at the glue
+  stud.shank->washer = 0.003;
+  const auto part_in_cones = [&] {
+    const BoltForces forces(blocks.scene, *blocks.joints, blocks.part, MPI_COMM_WORLD);
+    blocks.part_by(1e-7);
+    return sum_over_ranks(forces.taken(blocks.state).front()) * stud.shank->preload / (3e12 * 1e-7);
+  };
+  EXPECT_NEAR(part_in_cones(), std::numbers::pi * 0.007 * 0.007, 0.15 * std::numbers::pi * 0.007 * 0.007);
+  stud.axis = {{0.09, 0.015, 0.01}, {0.099, 0.015, 0.01}};  // the glue is not between its ends
+  EXPECT_LT(part_in_cones(), 0.0);                          // the stud alone
+  stud.shank->preload = 0.0;
+  EXPECT_THAT(BoltForces(blocks.scene, *blocks.joints, blocks.part, MPI_COMM_WORLD).all(), testing::IsEmpty());
+}
+
+TEST(BoltForces, OfAPointInTwoConesBelongToTheNearerBolt) {
+  ClampedBlocks blocks;
+  scene::Joint second = blocks.scene.joints[1];
+  second.axis.begin.y() = second.axis.end.y() = 0.004;
+  blocks.scene.joints.push_back(second);
+  const BoltForces forces(blocks.scene, *blocks.joints, blocks.part, MPI_COMM_WORLD);
+  blocks.part_by(1e-7);
+  const std::vector<ReproducibleSum> taken = forces.taken(blocks.state);
+  ASSERT_THAT(forces.all(), testing::ElementsAre(BoltForce{1, 0}, BoltForce{1, 1}, BoltForce{2, 0}));
+  const double nearer = sum_over_ranks(taken[0]), farther = sum_over_ranks(taken[2]), whole = 3e12 * 0.03 * 0.02 * 1e-7 / 5e4;
+  EXPECT_NEAR(nearer + farther, whole, 1e-9 * whole);
+  EXPECT_NEAR(farther, whole / 3, 0.05 * whole);  // up to y = 0.01, of 0.03 m
 }
 
 }  // namespace

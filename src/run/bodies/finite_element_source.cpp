@@ -42,6 +42,7 @@ FiniteElementSource::FiniteElementSource(const Preparation& ready, parallel::Sta
               communicator, ready.models(), ready.steps_per_read, accelerator),
       surfaces_(std::make_unique<BodySurfaces>(ready, surface(), communicator)),
       stability_(ready),
+      bolts_(ready, motion_, communicator),
       warned_(ready.scene.bodies.size()),
       body_channels_(ready, motion_, communicator),
       contact_channels_(ready.scene, motion_, communicator),
@@ -68,7 +69,7 @@ void FiniteElementSource::start(surface::SurfaceMotion& motion) {
   }
   check_overlaps();
   surfaces_->start(motion_, motion);
-  note_channels();
+  note_motion();
   stability_.start(observe_now());
 }
 
@@ -88,7 +89,7 @@ void FiniteElementSource::advance(surface::SurfaceMotion& motion) {
     const parallel::Stages::Scope stage(stages_, parallel::Stage::surface);
     surfaces_->take(motion);
   }
-  note_channels();
+  note_motion();
 }
 
 void FiniteElementSource::advance_motion_to(std::int64_t end) {
@@ -102,13 +103,14 @@ void FiniteElementSource::advance_motion_to(std::int64_t end) {
   }
 }
 
-void FiniteElementSource::note_channels() {
+void FiniteElementSource::note_motion() {
   if (sample_ <= sound_samples(ready_.scene)) {  // what comes after only completes the sound
     body_channels_.note(sample_);
     contact_channels_.note(sample_);
     load_channels_.note(sample_);
     gauge_channels_.note(sample_);
     fracture_channels_.note(sample_);
+    bolts_.note(sample_);
   }
 }
 
@@ -120,6 +122,7 @@ const std::vector<solid::NodeState>& FiniteElementSource::node_states() {
 void FiniteElementSource::check() {
   stability_.check(observe_now(), static_cast<double>(sample_) / ready_.scene.audio.rate, communicator_);
   warn_of_vibrations();
+  bolts_.check();
 }
 
 void FiniteElementSource::warn_of_vibrations() {
@@ -162,6 +165,7 @@ void FiniteElementSource::archive(parallel::Archive& archive) {
   }
   surfaces_->archive(archive);
   stability_.archive(archive);
+  bolts_.archive(archive);
   body_channels_.archive(archive);
   contact_channels_.archive(archive);
 }
@@ -211,6 +215,7 @@ void FiniteElementSource::report_fracture() const {
 
 void FiniteElementSource::report() const {
   report_fracture();
+  bolts_.report();
   for (std::size_t c = 0; c < motion_.contacts().count(); ++c) {
     const double depth = deepest(c);
     if (rank_ != 0) {

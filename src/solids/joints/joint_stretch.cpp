@@ -11,6 +11,8 @@ Eigen::Matrix3d cross_matrix(const Vector3& v) {
   return matrix;
 }
 
+}  // namespace
+
 SurfaceFrame undeformed_frame(const MeshedJoint& joint, const JointPoint& point, std::span<const Vector3> reference) {
   SurfaceFrame frame;
   for (const NodeWeight& weight : joint.weights_of(point)) {
@@ -20,8 +22,6 @@ SurfaceFrame undeformed_frame(const MeshedJoint& joint, const JointPoint& point,
   frame.find_normal();
   return frame;
 }
-
-}  // namespace
 
 void SurfaceFrame::find_normal() {
   const Vector3 cross = a.cross(b);

@@ -22,6 +22,10 @@ struct SurfaceFrame {
   void find_normal();
 };
 
+/// At rest.
+[[nodiscard]] SurfaceFrame undeformed_frame(const MeshedJoint& joint, const JointPoint& point,
+                                            std::span<const Vector3> reference);
+
 class Stretch {
  public:
   /// @param joint, point  must outlive this object
@@ -32,10 +36,13 @@ class Stretch {
   /// J.
   [[nodiscard]] double energy() const { return point_.area / 2 * stretch_.dot(stress_of(stretch_)); }
 
+  /// With which the two sides pull at each other along the normal, N; below zero where they press.
+  [[nodiscard]] double pull() const { return -frame_.normal.dot(force_on_second()); }
+
   /// Calls visit(node, force) for the nodes of both surfaces, N.
   template <class Visitor>
   void for_each_force(const Visitor& visit) const {
-    const Vector3 force = point_.area * stress_of(stretch_ + joint_.damping * rate_);
+    const Vector3 force = force_on_second();
     const double difference = point_.area * (joint_.normal - joint_.tangential);
     const Vector3 on_normal = point_.distance * force + difference * frame_.normal.dot(stretch_) * stretch_;
     const Vector3 turning = across(on_normal) / frame_.area;
@@ -60,6 +67,8 @@ class Stretch {
   [[nodiscard]] Vector3 across(const Vector3& vector) const {
     return vector - frame_.normal.dot(vector) * frame_.normal;
   }
+  /// N.
+  [[nodiscard]] Vector3 force_on_second() const { return point_.area * stress_of(stretch_ + joint_.damping * rate_); }
   /// Pa.
   [[nodiscard]] Vector3 stress_of(const Vector3& stretch) const {
     const double along = frame_.normal.dot(stretch);

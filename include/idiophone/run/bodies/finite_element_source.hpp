@@ -12,6 +12,7 @@
 #include "idiophone/foundation/parallel/stages.hpp"
 #include "idiophone/run/bodies/air_coupling.hpp"
 #include "idiophone/run/bodies/body_channels.hpp"
+#include "idiophone/run/bodies/bolt_watch.hpp"
 #include "idiophone/run/bodies/contact_channels.hpp"
 #include "idiophone/run/bodies/fracture_channels.hpp"
 #include "idiophone/run/bodies/gauge_channels.hpp"
@@ -49,10 +50,11 @@ class FiniteElementSource : public Source {
   [[nodiscard]] std::vector<ChannelGroup*> channels() override {
     return {&body_channels_, &contact_channels_, &load_channels_, &gauge_channels_, &fracture_channels_};
   }
-  /// Throws when the motion is unstable. Warns of modal bodies that vibrate too far for their modes.
+  /// Throws when the motion is unstable. Warns of modal bodies that vibrate too far for their modes, and of bolts that
+  /// lose their preload.
   void check() override;
   void archive(parallel::Archive& archive) override;
-  /// How far bodies broke, and how deeply they penetrated each other.
+  /// How far bodies broke, what bolts lost of their preload, and how deeply bodies penetrated each other.
   void report() const override;
 
   [[nodiscard]] const motion::Motion& motion() const { return motion_; }
@@ -64,7 +66,7 @@ class FiniteElementSource : public Source {
 
  private:
   void advance_motion_to(std::int64_t end);  ///< a step's number
-  void note_channels();
+  void note_motion();
   /// Deepest penetration of a contact so far on any rank, m. Collective.
   [[nodiscard]] double deepest(std::size_t contact) const;
   /// Warns of partners that overlap at the start. Collective.
@@ -85,6 +87,7 @@ class FiniteElementSource : public Source {
   std::unique_ptr<BodySurfaces> surfaces_;
   std::optional<AirCoupling> air_;
   StabilityWatch stability_;
+  BoltWatch bolts_;
   std::vector<bool> warned_;  ///< [bodies] of their vibration
   BodyChannels body_channels_;
   ContactChannels contact_channels_;
