@@ -159,6 +159,24 @@ class Joints(program.TestCase):
         self.assertEqual(self.said_of_bolts(f"{PAD}, {STUD}", 0.1, ranks=(3,)), said)
         self.assertEqual(len(self.said_of_bolts(f"{PAD}, {STUD}", 0.06)), 2)  # 0.87 and 0.68
 
+    def test_bodies_that_pull_at_each_other_or_are_plucked_start_in_equilibrium(self):
+        at_rest = ("--set", "bodies.left.spin=[0, 0, 0]", "--set", "bodies.right.velocity=[0, 0, 0]",
+                   "--set", "materials.rubber.expansion=1e-4", "--set", "bodies.left.fixed=[clamp]",
+                   "--set", "bodies.right.fixed=[tip]", "--set", "bodies.right.prestress={temperature: -100}",
+                   "--set", "time.duration=0.0025")
+        self.job = program.run("joined", self.output, *at_rest)
+        self.require_status(self.job, program.FINISHED)
+        energy = program.contents(self.output / "joined.h5")["energy"]
+        self.assertGreater(energy[0, 5], 1e-6)  # the glue is stretched
+        self.assertLess(energy[:, 0].max(), 1e-12 * energy[0, 5])
+        self.require_status(program.run("joined", self.output, *at_rest[:-2], "--set", "time.duration=0.0025", ranks=3),
+                            program.FINISHED)
+        pluck = "--set", "loads={finger: {type: pluck, body: left, at: [0.05, 0, 0.01], force: [0, 0, -1]}}"
+        self.require_status(program.run("joined", self.output, *at_rest, *pluck), program.FINISHED)
+        plucked = program.contents(self.output / "joined.h5")["energy"]
+        total = plucked[:, :4].sum(axis=1) + plucked[:, 5]
+        self.assertGreater(plucked[:, 0].max(), 0.1 * (total[0] - energy[0, [1, 5]].sum()))
+
     def test_bolted_bodies_have_modes_and_a_map_that_rise_with_the_preload(self):
         lowest = []
         for pull in 0, 20:

@@ -139,9 +139,6 @@ TEST_F(Joints, AreRefusedBesideWhatTheyDoNotKnow) {
             "finite_elements}\n"
             "deck.yaml:11:38: joints.glue: body 'plate' has large_amplitudes: leave them out, or use model: {type: "
             "finite_elements}");
-  EXPECT_EQ(
-      mistakes(replaced(plate, "loads:\n", "loads:\n  pull: {type: pluck, at: [0, 0, 0], force: [0, 0, 1]}\n") + joint),
-      "deck.yaml:8:27: loads.pull: a pluck cannot act on body 'plate', which has joints: use a pulse");
 }
 
 TEST_F(Joints, NeedBodiesThatCouldBeRead) {

@@ -1,8 +1,5 @@
 // Joints between bodies.
 
-#include <algorithm>
-
-#include "idiophone/foundation/each_once.hpp"
 #include "idiophone/scene/ranges.hpp"
 #include "idiophone/scene/sections.hpp"
 #include "joint_keys.hpp"
@@ -128,16 +125,6 @@ std::string obstacle_to_joint(const Body& body) {
   return "";
 }
 
-void refuse_plucks(const Scene& scene, std::size_t body, Mistakes& mistakes) {
-  for (const Pluck& pluck : scene.plucks) {
-    if (pluck.body == body) {
-      mistakes.add(pluck.place.where,
-                   fmt::format("loads.{}: a pluck cannot act on body '{}', which has joints: use a pulse", pluck.name,
-                               scene.bodies[body].name));
-    }
-  }
-}
-
 }  // namespace
 
 bool read_joints(Section& deck, Scene& scene) {
@@ -146,20 +133,14 @@ bool read_joints(Section& deck, Scene& scene) {
   if (!deck.optional("joints", scene.joints, scene) || scene.bodies.empty()) {
     return false;
   }
-  std::vector<std::size_t> joined;
   for (const Joint& joint : scene.joints) {
     for (const JoinedSurface& surface : joint.surfaces) {
-      joined.push_back(surface.body);
       const std::string why_not = obstacle_to_joint(scene.bodies[surface.body]);
       if (!why_not.empty()) {
         mistakes.add(surface.where,
                      fmt::format("joints.{}: body '{}' {}", joint.name, scene.bodies[surface.body].name, why_not));
       }
     }
-  }
-  keep_each_once(joined);
-  for (const std::size_t body : joined) {
-    refuse_plucks(scene, body, mistakes);
   }
   return mistakes.count() == before;
 }

@@ -226,7 +226,8 @@ TEST(BoltForces, OfAPointInTwoConesBelongToTheNearerBolt) {
   blocks.part_by(1e-7);
   const std::vector<ReproducibleSum> taken = forces.taken(blocks.state);
   ASSERT_THAT(forces.all(), testing::ElementsAre(BoltForce{1, 0}, BoltForce{1, 1}, BoltForce{2, 0}));
-  const double nearer = sum_over_ranks(taken[0]), farther = sum_over_ranks(taken[2]), whole = 3e12 * 0.03 * 0.02 * 1e-7 / 5e4;
+  const double nearer = sum_over_ranks(taken[0]), farther = sum_over_ranks(taken[2]),
+               whole = 3e12 * 0.03 * 0.02 * 1e-7 / 5e4;
   EXPECT_NEAR(nearer + farther, whole, 1e-9 * whole);
   EXPECT_NEAR(farther, whole / 3, 0.05 * whole);  // up to y = 0.01, of 0.03 m
 }

@@ -22,19 +22,20 @@ Vector3 vector(const double* components) {
   return Vector3(components);
 }
 
-/// The stiffness of all points, [3 x nodes x 3 x nodes].
+/// The stiffness of all points about the state, [3 x nodes x 3 x nodes].
 Eigen::MatrixXd whole_stiffness(const JoinedBlocks& blocks) {
   const auto size = 3 * static_cast<Eigen::Index>(blocks.state.size());
   Eigen::MatrixXd whole = Eigen::MatrixXd::Zero(size, size);
   for (std::size_t joint = 0; joint < blocks.joints->all().size(); ++joint) {
-    blocks.joints->for_each_stiffness(joint, [&](std::span<const Index> nodes, const Eigen::MatrixXd& stiffness) {
-      for (std::size_t a = 0; a < nodes.size(); ++a) {
-        for (std::size_t b = 0; b < nodes.size(); ++b) {
-          whole.block<3, 3>(3 * nodes[a], 3 * nodes[b]) +=
-              stiffness.block<3, 3>(3 * static_cast<Eigen::Index>(a), 3 * static_cast<Eigen::Index>(b));
-        }
-      }
-    });
+    blocks.joints->for_each_stiffness(
+        joint, blocks.state, [&](std::span<const Index> nodes, const Eigen::MatrixXd& stiffness) {
+          for (std::size_t a = 0; a < nodes.size(); ++a) {
+            for (std::size_t b = 0; b < nodes.size(); ++b) {
+              whole.block<3, 3>(3 * nodes[a], 3 * nodes[b]) +=
+                  stiffness.block<3, 3>(3 * static_cast<Eigen::Index>(a), 3 * static_cast<Eigen::Index>(b));
+            }
+          }
+        });
   }
   return whole;
 }
@@ -140,6 +141,26 @@ TEST(Joints, StiffnessIsThatOfTheForces) {
     }
     const Eigen::VectorXd expected = -stiffness * moved;
     EXPECT_LT((components(blocks.forces()) - expected).norm(), 1e-5 * expected.norm());
+  }
+}
+
+TEST(Joints, StiffnessAboutADeformedStateIsThatOfTheForces) {
+  for (const scene::Joint& joint : JoinedBlocks::one_of_each()) {
+    SCOPED_TRACE(joint.name);
+    JoinedBlocks blocks(MPI_COMM_SELF, joint);
+    blocks.move(2.0, 1e-3);
+    const Eigen::MatrixXd stiffness = whole_stiffness(blocks);
+    const Eigen::VectorXd moved = 1e-7 * wave(stiffness.rows());
+    const auto forces_after = [&](double factor) {
+      for (std::size_t node = 0; node < blocks.state.size(); ++node) {
+        Vector3::Map(blocks.state[node].displacement) += factor * moved.segment<3>(3 * static_cast<Eigen::Index>(node));
+      }
+      return components(blocks.forces());
+    };
+    const Eigen::VectorXd ahead = forces_after(1.0), behind = forces_after(-2.0);
+    const Eigen::VectorXd expected = -2 * stiffness * moved;
+    EXPECT_LT((ahead - behind - expected).norm(), 1e-6 * expected.norm());
+    EXPECT_LT((stiffness - stiffness.transpose()).norm(), 1e-12 * stiffness.norm());
   }
 }
 

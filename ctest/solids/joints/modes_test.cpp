@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -93,6 +94,64 @@ TEST(JointedModes, ALayerDampsTheMotionAcrossIt) {
   const auto bounce = std::ranges::min_element(
       joined.modes, {}, [&](const Mode& mode) { return std::abs(turn * mode.frequency - layer); });
   EXPECT_NEAR(bounce->damping_ratio, relaxation * layer / 2, 1e-3 * relaxation * layer);
+}
+
+constexpr double wire_length = 0.65, cell = wire_length / 13, cooled = 200;  // m, m, K
+
+/// A piece of steel wire of 0.5 x 0.4 mm along z that was cooled down.
+void add_wire(Assembly& wires, double begin, double length, double by, const std::string& held) {
+  const int cells = static_cast<int>(std::round(length / cell));
+  mesh::Mesh mesh = support::block_mesh(element::hex(2, 6), {0.0005, 0.0004, length}, {1, 1, cells});
+  add_level(mesh, "near", 0.0);
+  add_level(mesh, "far", length);
+  wires.add(std::move(mesh), {0, 0, begin});
+  scene::Body& wire = wires.scene.bodies.back();
+  wires.scene.materials[0].expansion = 1.2e-5;
+  wire.prestress.emplace().temperature = -by;
+  for (const char* group : {"near", "far"}) {
+    if (held == group || held == "both") {
+      wire.fixed.push_back({.group = group, .axes = {true, true, true}, .hinge = false, .where = {}});
+    }
+  }
+}
+
+Modes of_one_wire(double by) {
+  Assembly wire;
+  add_wire(wire, 0, wire_length, by, "both");
+  return wire.find(8);
+}
+
+/// Of two wires that pull at each other.
+Modes of_two_wires(std::optional<scene::JointStiffness> joint, std::array<double, 2> by) {
+  Assembly wires;
+  add_wire(wires, 0, 6 * cell, by[0], "near");
+  add_wire(wires, 6 * cell, 7 * cell, by[1], "far");
+  wires.join("far", "near", joint);
+  return wires.find(8);
+}
+
+void expect_same_frequencies(const Modes& found, const Modes& expected, double most_cents) {
+  for (std::size_t mode = 0; mode < expected.modes.size(); ++mode) {
+    EXPECT_NEAR(1200 * std::log2(found.modes[mode].frequency / expected.modes[mode].frequency), 0, most_cents) << mode;
+  }
+}
+
+ON_RANKS(1, 3);
+
+TEST(JointedModes, WiresThatPullAtEachOtherAreTautAsOneWire) {
+  expect_same_frequencies(of_two_wires(std::nullopt, {cooled, cooled}), of_one_wire(cooled), 0.5);
+}
+
+/// Their pull stretches both alike.
+TEST(JointedModes, AWireThatCoolsDownPullsTheOtherOneTaut) {
+  const double mean = cooled * 6 / 13;
+  expect_same_frequencies(of_two_wires(std::nullopt, {cooled, 0.0}), of_one_wire(mean), 1.0);
+}
+
+/// The layer gives way as much as the wires do, so that it takes half of their pull. They bend there more easily, too.
+TEST(JointedModes, ALayerThatGivesWayTakesTensionOffTheWires) {
+  const scene::JointStiffness layer{2e11 / wire_length, 1e15};
+  expect_same_frequencies(of_two_wires(layer, {cooled, cooled}), of_one_wire(cooled / 2), 1.5);
 }
 
 ON_RANKS(2);

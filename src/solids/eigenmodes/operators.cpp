@@ -76,11 +76,7 @@ void Operators::assemble(const mesh::Part& part, std::span<const solid::NodeStat
                                   components_, stiffness_);
   }
   add_diagonal(stiffness_, support_);
-  for (std::size_t joint = 0; joint < joints.all().size(); ++joint) {
-    joints.for_each_stiffness(joint, [&](std::span<const Index> nodes, const Eigen::MatrixXd& values) {
-      motion::add_between(nodes, components_, values, stiffness_);
-    });
-  }
+  motion::add_joint_stiffness(joints, rest, components_, stiffness_);
   finish(stiffness_);
   if (mass == MassMatrix::consistent) {
     mass_ = motion::create_matrix(part.bodies, components_, communicator);

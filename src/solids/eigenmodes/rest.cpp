@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <span>
-#include <stdexcept>
 #include <string>
 
 #include "idiophone/foundation/deck/location.hpp"
@@ -26,14 +25,15 @@ namespace {
 /// The free components of an equilibrium, and one step of Newton's method.
 class Newton {
  public:
-  Newton(const mesh::Part& part, const solid::Solid& solid, std::span<const double> support,
+  Newton(const mesh::Part& part, const motion::FiniteElementDynamics& dynamics, std::span<const double> support,
          const motion::Components& components, MPI_Comm communicator)
       : part_(part),
-        solid_(solid),
+        dynamics_(dynamics),
         support_(support),
         components_(components),
         communicator_(communicator),
-        tangent_(motion::create_matrix(part.bodies, components, communicator)) {
+        tangent_(motion::create_matrix(part.bodies, components, communicator,
+                                       joints::coupled_nodes(dynamics.joints().all()))) {
     petsc(MatCreateVecs(tangent_, change_.out(), unbalanced_.out()));
     petsc(KSPCreate(communicator, solver_.out()));
     petsc(KSPSetType(solver_, KSPPREONLY));
@@ -48,8 +48,11 @@ class Newton {
   double improve(std::vector<NodeState>& state) {
     find_unbalanced(state);
     petsc(MatZeroEntries(tangent_));
-    motion::add_tangent_stiffness(part_, part_.bodies.front(), solid_, &solid::Solid::relaxed_elasticity, state,
-                                  components_, tangent_);
+    for (std::size_t b = 0; b < part_.bodies.size(); ++b) {
+      motion::add_tangent_stiffness(part_, part_.bodies[b], dynamics_.solid(b), &solid::Solid::relaxed_elasticity,
+                                    state, components_, tangent_);
+    }
+    motion::add_joint_stiffness(dynamics_.joints(), state, components_, tangent_);
     for (std::size_t c = 0; c < 3 * support_.size(); ++c) {
       petsc(MatSetValue(tangent_, components_.number[c], components_.number[c], support_[c / 3], ADD_VALUES));
     }
@@ -66,7 +69,10 @@ class Newton {
  private:
   void find_unbalanced(const std::vector<NodeState>& state) {
     std::vector<NodeForce> force(state.size());
-    solid_.add_internal_force(state, force);
+    for (std::size_t b = 0; b < part_.bodies.size(); ++b) {
+      dynamics_.solid(b).add_internal_force(state, force);
+    }
+    dynamics_.joints().add_force(state, force);
     PetscScalar* values = nullptr;
     petsc(VecGetArrayWrite(unbalanced_, &values));
     for (std::size_t c = 0; c < 3 * support_.size(); ++c) {
@@ -94,7 +100,7 @@ class Newton {
   }
 
   const mesh::Part& part_;
-  const solid::Solid& solid_;
+  const motion::FiniteElementDynamics& dynamics_;
   std::span<const double> support_;  ///< N/m, [owned nodes]
   const motion::Components& components_;
   MPI_Comm communicator_;
@@ -110,23 +116,19 @@ std::vector<NodeState> rest_under_prestress(const scene::Solids& solids, const m
                                             const motion::FiniteElementDynamics& dynamics,
                                             std::span<const double> support, const motion::Components& components,
                                             MPI_Comm communicator) {
-  if (solids.bodies.size() > 1) {
-    throw std::runtime_error(
-        "a prestress deforms one of the bodies that joints tie together, whose modes are not possible yet: leave out "
-        "the joints");
-  }
   std::vector<NodeState> state(part.node_ids.size());
-  const scene::Body& body = solids.bodies.front();
+  const scene::Body& body = *std::ranges::find_if(
+      solids.bodies, [](const scene::Body& candidate) { return candidate.prestress.has_value(); });
   const auto refuse = [&](const std::string& why) {
     throw deck::DeckError(body.prestress->where, fmt::format("bodies.{}.prestress {}", body.name, why));
   };
   const std::int64_t held = std::ssize(dynamics.constraints().held_components()) +
                             std::ranges::count_if(support, [](double stiffness) { return stiffness > 0; });
   if (parallel::sum(held, communicator) < 6) {
-    refuse("deforms a body that nothing holds: give it fixed groups or supports");
+    refuse("deforms what nothing holds: give it fixed groups or supports");
   }
   dynamics.constraints().place(0.0, state);
-  Newton newton(part, dynamics.solid(0), support, components, communicator);
+  Newton newton(part, dynamics, support, components, communicator);
   constexpr int most_steps = 50;
   constexpr double balanced = 1e-10;  // of the forces at the beginning
   const double begin = newton.improve(state);
@@ -139,7 +141,7 @@ std::vector<NodeState> rest_under_prestress(const scene::Solids& solids, const m
       break;
     }
   }
-  refuse("leaves the body no static equilibrium that was found: is it too large?");
+  refuse("leaves no static equilibrium that was found: is it too large, or does a joint let a body move freely?");
   return state;
 }
 

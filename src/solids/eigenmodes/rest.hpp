@@ -12,14 +12,13 @@
 
 namespace idiophone::eigenmodes {
 
-/// Displacements of the nodes in static equilibrium under a prestress that deforms the body, with large displacements.
+/// Displacements of the nodes in static equilibrium of bodies and joints under a prestress that deforms a body, with
+/// large displacements.
 /// By Newton's method on all ranks, with the elastic moduli at rest. Gravity is left out. Collective.
-/// @param solids      one body
 /// @param support     stiffness of the supports, N/m, [owned nodes]
 /// @param components  that are free
 /// @return [local nodes]
-/// @throws deck::DeckError, pointing at the prestress, where the body is not held or no equilibrium is found;
-///         std::runtime_error where there are several bodies
+/// @throws deck::DeckError, pointing at the prestress, where nothing holds the bodies or no equilibrium is found
 [[nodiscard]] std::vector<solid::NodeState> rest_under_prestress(const scene::Solids& solids, const mesh::Part& part,
                                                                  const motion::FiniteElementDynamics& dynamics,
                                                                  std::span<const double> support,

@@ -2,17 +2,6 @@
 
 namespace idiophone::joints {
 
-namespace {
-
-/// The matrix of v x.
-Eigen::Matrix3d cross_matrix(const Vector3& v) {
-  Eigen::Matrix3d matrix;
-  matrix << 0, -v[2], v[1], v[2], 0, -v[0], -v[1], v[0], 0;
-  return matrix;
-}
-
-}  // namespace
-
 SurfaceFrame undeformed_frame(const MeshedJoint& joint, const JointPoint& point, std::span<const Vector3> reference) {
   SurfaceFrame frame;
   for (const NodeWeight& weight : joint.weights_of(point)) {
@@ -59,23 +48,46 @@ Stretch::Stretch(const MeshedJoint& joint, const JointPoint& point, std::span<co
   rate_ += point.distance * across(rate_a.cross(frame_.b) + frame_.a.cross(rate_b)) / frame_.area;
 }
 
-Eigen::MatrixXd undeformed_stiffness(const MeshedJoint& joint, const JointPoint& point,
-                                     std::span<const Vector3> reference) {
-  const SurfaceFrame frame = undeformed_frame(joint, point, reference);
-  const Eigen::Matrix3d along = frame.normal * frame.normal.transpose();
-  const Eigen::Matrix3d turn = point.distance / frame.area * (Eigen::Matrix3d::Identity() - along);
-  Eigen::MatrixXd stretch(3, 3 * (point.end - point.first_begin));  // of displacements of the nodes
-  Eigen::Index column = 0;
-  for (Index place = point.first_begin; place < point.end; ++place, column += 3) {
-    const NodeWeight& weight = joint.weights[place];
-    const double side = place < point.second_begin ? 1.0 : -1.0;
-    stretch.middleCols<3>(column) =
-        side * weight.value * Eigen::Matrix3d::Identity() +
-        turn * (weight.slope[1] * cross_matrix(frame.a) - weight.slope[0] * cross_matrix(frame.b));
+Stretch::Variables Stretch::change_of_gradient(const Variables& change) const {
+  const Vector3 a = change.segment<3>(3), b = change.tail<3>();
+  const Vector3 &n = frame_.normal, &d = stretch_;
+  const double h = point_.distance, difference = joint_.normal - joint_.tangential;
+  // The changes of a x b, of its magnitude, of n, of d and of n.d
+  const Vector3 turn = a.cross(frame_.b) + frame_.a.cross(b);
+  const double growth = n.dot(turn);
+  const Vector3 dn = across(turn) / frame_.area;
+  const Vector3 dd = change.head<3>() + h * dn;
+  const double along = n.dot(d), dalong = dn.dot(d) + n.dot(dd);
+  // Those of what for_each_force() computes, for an area of 1
+  const Vector3 force = stress_of(d);
+  const Vector3 dforce = joint_.tangential * dd + difference * (dalong * n + along * dn);
+  const Vector3 on_normal = h * force + difference * along * d;
+  const Vector3 don_normal = h * dforce + difference * (dalong * d + along * dd);
+  const Vector3 turning = across(on_normal) / frame_.area;
+  const Vector3 dturning =
+      (across(don_normal) - dn.dot(on_normal) * n - n.dot(on_normal) * dn - growth * turning) / frame_.area;
+  Variables result;
+  result << dforce, b.cross(turning) + frame_.b.cross(dturning), dturning.cross(frame_.a) + turning.cross(a);
+  return point_.area * result;
+}
+
+Eigen::MatrixXd Stretch::stiffness() const {
+  Eigen::Matrix<double, 9, 9> of_variables;
+  for (Eigen::Index i = 0; i < 9; ++i) {
+    of_variables.col(i) = change_of_gradient(Variables::Unit(i));
   }
-  const Eigen::Matrix3d stiffness =
-      point.area * (joint.tangential * (Eigen::Matrix3d::Identity() - along) + joint.normal * along);
-  return stretch.transpose() * stiffness * stretch;
+  const Index nodes = point_.end - point_.first_begin;
+  Eigen::MatrixXd variables = Eigen::MatrixXd::Zero(9, 3 * nodes);  // of the displacements of the nodes
+  for (Index n = 0; n < nodes; ++n) {
+    const NodeWeight& weight = joint_.weights[point_.first_begin + n];
+    const bool is_first = point_.first_begin + n < point_.second_begin;
+    const Vector3 factors(is_first ? weight.value : -weight.value, is_first ? weight.slope[0] : 0.0,
+                          is_first ? weight.slope[1] : 0.0);
+    for (Eigen::Index k = 0; k < 3; ++k) {
+      variables.block<3, 3>(3 * k, 3 * n) = factors[k] * Eigen::Matrix3d::Identity();
+    }
+  }
+  return variables.transpose() * ((of_variables + of_variables.transpose()) / 2) * variables;
 }
 
 }  // namespace idiophone::joints

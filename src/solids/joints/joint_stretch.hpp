@@ -39,6 +39,10 @@ class Stretch {
   /// With which the two sides pull at each other along the normal, N; below zero where they press.
   [[nodiscard]] double pull() const { return -frame_.normal.dot(force_on_second()); }
 
+  /// Of small displacements about this state, without damping, N/m: [3 nodes x 3 nodes], the nodes as
+  /// MeshedJoint::weights_of has them; symmetric, without a negative eigenvalue where nothing is stretched.
+  [[nodiscard]] Eigen::MatrixXd stiffness() const;
+
   /// Calls visit(node, force) for the nodes of both surfaces, N.
   template <class Visitor>
   void for_each_force(const Visitor& visit) const {
@@ -75,16 +79,16 @@ class Stretch {
     return joint_.tangential * stretch + (joint_.normal - joint_.tangential) * along * frame_.normal;
   }
 
+  /// u_1 - u_2, a and b: the energy depends on the nodes by them.
+  using Variables = Eigen::Matrix<double, 9, 1>;
+  /// Of the gradient of the energy by the variables, as they change.
+  [[nodiscard]] Variables change_of_gradient(const Variables& change) const;
+
   const MeshedJoint& joint_;
   const JointPoint& point_;
   SurfaceFrame frame_;                 // deformed
   Vector3 stretch_ = Vector3::Zero();  // d, m
   Vector3 rate_ = Vector3::Zero();     // of d, m/s
 };
-
-/// The stiffness of a point of the undeformed joint, N/m: [3 nodes x 3 nodes], the nodes as MeshedJoint::weights_of has
-/// them; symmetric, without a negative eigenvalue.
-[[nodiscard]] Eigen::MatrixXd undeformed_stiffness(const MeshedJoint& joint, const JointPoint& point,
-                                                   std::span<const Vector3> reference);
 
 }  // namespace idiophone::joints

@@ -88,13 +88,16 @@ void Joints::add_energy(std::span<const NodeState> state, ReproducibleSum& energ
 }
 
 void Joints::for_each_stiffness(std::size_t joint, const Visitor& visit) const {
+  for_each_stiffness(joint, std::vector<NodeState>(part_.reference.size()), visit);
+}
+
+void Joints::for_each_stiffness(std::size_t joint, std::span<const NodeState> state, const Visitor& visit) const {
   std::vector<Index> nodes;
   const MeshedJoint& meshed = joints_[joint];
   for (const JointPoint& point : meshed.points) {
     nodes.clear();
     std::ranges::transform(meshed.weights_of(point), std::back_inserter(nodes), &NodeWeight::node);
-    visit(nodes, meshed.resists_turning ? stiffness_against_turning(meshed, point, part_.reference)
-                                        : undeformed_stiffness(meshed, point, part_.reference));
+    visit_point(meshed, point, part_.reference, state, [&](const auto& what) { visit(nodes, what.stiffness()); });
   }
 }
 

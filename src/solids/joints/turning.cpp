@@ -16,16 +16,25 @@ Turning::Turning(const MeshedJoint& joint, const JointPoint& point, std::span<co
   rate_ = rate[0].dot(direction_[1]) + direction_[0].dot(rate[1]);
 }
 
-Eigen::MatrixXd stiffness_against_turning(const MeshedJoint& joint, const JointPoint& point,
-                                          std::span<const Vector3> reference) {
-  const std::vector<solid::NodeState> at_rest(reference.size());
-  Eigen::VectorXd gradient(3 * (point.end - point.first_begin));
+Eigen::MatrixXd Turning::stiffness() const {
+  const Index nodes = point_.end - point_.first_begin, of_first = point_.second_begin - point_.first_begin;
+  Eigen::VectorXd gradient(3 * nodes), slopes(nodes);
   Eigen::Index row = 0;
-  Turning(joint, point, reference, at_rest).for_each_gradient([&](Index /*node*/, const Vector3& at_node) {
-    gradient.segment<3>(row) = at_node;
-    row += 3;
+  for_each_gradient([&](Index /*node*/, const Vector3& at_node) {
+    gradient.segment<3>(3 * row) = at_node;
+    slopes[row] = joint_.weights[point_.first_begin + row].slope[0];
+    ++row;
   });
-  return joint.normal * gradient * gradient.transpose();
+  Eigen::MatrixXd stiffness = joint_.normal * gradient * gradient.transpose();
+  // s is bilinear in the nodes of the two bodies.
+  const Eigen::MatrixXd mixed =
+      joint_.normal * sine_ * slopes.head(of_first) * slopes.tail(nodes - of_first).transpose();
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const auto first = Eigen::seqN(i, of_first, 3), second = Eigen::seqN(3 * of_first + i, nodes - of_first, 3);
+    stiffness(first, second) += mixed;
+    stiffness(second, first) += mixed.transpose();
+  }
+  return stiffness;
 }
 
 }  // namespace idiophone::joints

@@ -21,6 +21,9 @@ class Turning {
   /// J.
   [[nodiscard]] double energy() const { return joint_.normal / 2 * sine_ * sine_; }
 
+  /// As Stretch::stiffness().
+  [[nodiscard]] Eigen::MatrixXd stiffness() const;
+
   /// Calls visit(node, force) for the nodes of both bodies, N.
   template <class Visitor>
   void for_each_force(const Visitor& visit) const {
@@ -44,9 +47,5 @@ class Turning {
   double sine_ = 0.0;                                                      // s
   double rate_ = 0.0;                                                      // of s, 1/s
 };
-
-/// As undeformed_stiffness().
-[[nodiscard]] Eigen::MatrixXd stiffness_against_turning(const MeshedJoint& joint, const JointPoint& point,
-                                                        std::span<const Vector3> reference);
 
 }  // namespace idiophone::joints

@@ -55,6 +55,18 @@ RowLengths row_lengths(std::span<const mesh::BodyPart> bodies, const Components&
   return lengths;
 }
 
+/// Adds a matrix between local nodes, [3 nodes x 3 nodes] as an element's.
+void add_between(std::span<const Index> nodes, const Components& components, const Eigen::MatrixXd& values,
+                 Mat matrix) {
+  std::vector<PetscInt> numbers;
+  for (const Index node : nodes) {
+    const auto first = components.number.begin() + 3 * static_cast<std::ptrdiff_t>(node);
+    numbers.insert(numbers.end(), first, first + 3);
+  }
+  const auto size = static_cast<PetscInt>(numbers.size());
+  petsc(MatSetValues(matrix, size, numbers.data(), size, numbers.data(), values.data(), ADD_VALUES));
+}
+
 }  // namespace
 
 parallel::Handle<Mat> create_matrix(std::span<const mesh::BodyPart> bodies, const Components& components,
@@ -93,15 +105,13 @@ void add_tangent_stiffness(const mesh::Part& part, const mesh::BodyPart& body, c
   add_elements(body, components, tangent, matrix);
 }
 
-void add_between(std::span<const Index> nodes, const Components& components, const Eigen::MatrixXd& values,
-                 Mat matrix) {
-  std::vector<PetscInt> numbers;
-  for (const Index node : nodes) {
-    const auto first = components.number.begin() + 3 * static_cast<std::ptrdiff_t>(node);
-    numbers.insert(numbers.end(), first, first + 3);
+void add_joint_stiffness(const joints::Joints& joints, std::span<const solid::NodeState> state,
+                         const Components& components, Mat matrix) {
+  for (std::size_t joint = 0; joint < joints.all().size(); ++joint) {
+    joints.for_each_stiffness(joint, state, [&](std::span<const Index> nodes, const Eigen::MatrixXd& values) {
+      add_between(nodes, components, values, matrix);
+    });
   }
-  const auto size = static_cast<PetscInt>(numbers.size());
-  petsc(MatSetValues(matrix, size, numbers.data(), size, numbers.data(), values.data(), ADD_VALUES));
 }
 
 }  // namespace idiophone::motion

@@ -1,47 +1,46 @@
 #include "force_balance.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 namespace idiophone::motion {
 
 using parallel::petsc;
 
-namespace {
-
-std::size_t size_of(const mesh::BodyPart& body) {
-  return body.owned_end - body.owned_begin;
-}
-
-}  // namespace
-
 ForceBalance::ForceBalance(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments,
-                           const FiniteElementDynamics& dynamics, std::size_t body, bool is_loaded)
+                           const FiniteElementDynamics& dynamics, std::vector<std::size_t> bodies, bool is_loaded)
     : part_(part),
-      body_(part.bodies[body]),
-      material_(solids.materials[solids.bodies[body].material]),
-      solid_(dynamics.solid(body)),
+      dynamics_(dynamics),
+      bodies_(std::move(bodies)),
+      material_(solids.materials[solids.bodies[bodies_.front()].material]),
       support_(part.node_ids.size()),
-      load_(3 * size_of(body_)),
+      places_(part.node_ids.size()),
       state_(part.node_ids.size()),
       force_(part.node_ids.size()) {
-  components_.end = static_cast<PetscInt>(load_.size());
-  components_.number.assign(3 * part.node_ids.size(), -1);
-  const auto own = std::span(components_.number).subspan(3UL * body_.owned_begin, load_.size());
-  std::iota(own.begin(), own.end(), 0);
+  number_components();
+  load_.resize(component_.size());
   dynamics.loads().add_support_stiffness(support_);
   if (is_loaded) {
-    add_gravity(dynamics.model(body).masses(), solids.gravity);
+    add_gravity(solids.gravity);
     for (std::size_t p = 0; p < solids.plucks.size(); ++p) {
-      if (solids.plucks[p].body == body) {
+      if (std::ranges::binary_search(bodies_, solids.plucks[p].body)) {
         add_pluck(attachments.plucks[p], solids.plucks[p].force);
       }
     }
   }
-  dynamics.constraints().place(0.0, state_);
-  for (const Index component : dynamics.constraints().held_components()) {
-    if (component >= 3 * body_.owned_begin && component < 3 * body_.owned_end) {
-      held_.push_back(component - 3 * body_.owned_begin);
+  dynamics.constraints().place(0.0, places_);
+  for (const std::size_t body : bodies_) {
+    for (const Index component : dynamics.constraints().held_components(body)) {
+      held_.push_back(components_.number[component]);
+    }
+  }
+}
+
+void ForceBalance::number_components() {
+  components_.number.assign(3 * part_.node_ids.size(), -1);
+  for (const std::size_t body : bodies_) {
+    for (Index c = 3 * part_.bodies[body].owned_begin; c < 3 * part_.bodies[body].owned_end; ++c) {
+      components_.number[c] = components_.end++;
+      component_.push_back(c);
     }
   }
 }
@@ -55,29 +54,32 @@ double ForceBalance::load_norm() const {
 }
 
 void ForceBalance::residual(std::span<const double> u, std::span<double> unbalanced) {
-  const std::vector<NodeState> places = state_;
   set_displacements(u);
   std::ranges::fill(force_, NodeForce{});
-  solid_.add_internal_force(state_, force_);
-  for (std::size_t c = 0; c < size(); ++c) {
-    const std::size_t node = body_.owned_begin + c / 3;
-    unbalanced[c] = support_[node] * u[c] - force_[node].component[c % 3] - fraction_ * load_[c];
+  for (const std::size_t body : bodies_) {
+    dynamics_.solid(body).add_internal_force(state_, force_);
   }
-  state_ = places;
+  dynamics_.joints().add_force(state_, force_);
+  for (std::size_t c = 0; c < size(); ++c) {
+    const Index node = component_[c] / 3;
+    unbalanced[c] = support_[node] * u[c] - force_[node].component[component_[c] % 3] - fraction_ * load_[c];
+  }
   for (const Index c : held_) {
-    const Index node = body_.owned_begin + c / 3;
-    unbalanced[c] = stiffness_scale() * (u[c] - fraction_ * state_[node].displacement[c % 3]);
+    const double place = places_[component_[c] / 3].displacement[component_[c] % 3];
+    unbalanced[c] = stiffness_scale() * (u[c] - fraction_ * place);
   }
 }
 
 void ForceBalance::jacobian(std::span<const double> u, Mat matrix) {
   petsc(MatZeroEntries(matrix));
-  const std::vector<NodeState> places = state_;
   set_displacements(u);
-  add_tangent_stiffness(part_, body_, solid_, &solid::Solid::relaxed_elasticity, state_, components_, matrix);
-  state_ = places;
+  for (const std::size_t body : bodies_) {
+    add_tangent_stiffness(part_, part_.bodies[body], dynamics_.solid(body), &solid::Solid::relaxed_elasticity, state_,
+                          components_, matrix);
+  }
+  add_joint_stiffness(dynamics_.joints(), state_, components_, matrix);
   for (std::size_t c = 0; c < size(); ++c) {
-    const double stiffness = support_[body_.owned_begin + c / 3];
+    const double stiffness = support_[component_[c] / 3];
     petsc(MatSetValue(matrix, static_cast<PetscInt>(c), static_cast<PetscInt>(c), stiffness, ADD_VALUES));
   }
   petsc(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
@@ -86,34 +88,38 @@ void ForceBalance::jacobian(std::span<const double> u, Mat matrix) {
 }
 
 parallel::Handle<Mat> ForceBalance::create_tangent() const {
-  parallel::Handle<Mat> tangent = create_matrix(std::span(&body_, 1), components_, PETSC_COMM_SELF);
+  parallel::Handle<Mat> tangent =
+      create_matrix(part_.bodies, components_, PETSC_COMM_SELF, joints::coupled_nodes(dynamics_.joints().all()));
   petsc(MatSetOption(tangent, MAT_KEEP_NONZERO_PATTERN, PETSC_TRUE));
   return tangent;
 }
 
-void ForceBalance::add_gravity(std::span<const double> masses, const Vector3& gravity) {
-  for (std::size_t c = 0; c < load_.size(); ++c) {
-    load_[c] += masses[c / 3] * gravity[static_cast<Eigen::Index>(c % 3)];
+void ForceBalance::add_gravity(const Vector3& gravity) {
+  for (const std::size_t body : bodies_) {
+    const std::span<const double> masses = dynamics_.model(body).masses();
+    const PetscInt first = components_.number[3UL * part_.bodies[body].owned_begin];
+    for (std::size_t c = 0; c < 3 * masses.size(); ++c) {
+      load_[first + c] += masses[c / 3] * gravity[static_cast<Eigen::Index>(c % 3)];
+    }
   }
 }
 
 void ForceBalance::add_pluck(const mesh::Patch& patch, const Vector3& force) {
   for (std::size_t n = 0; n < patch.nodes.size(); ++n) {
     for (int i = 0; i < 3; ++i) {
-      const Index component = 3 * (patch.nodes[n] - body_.owned_begin) + i;
-      load_[component] += patch.shares[n] * force[i];
+      load_[components_.number[3UL * patch.nodes[n] + i]] += patch.shares[n] * force[i];
     }
   }
 }
 
 void ForceBalance::set_displacements(std::span<const double> u) {
   for (std::size_t c = 0; c < size(); ++c) {
-    state_[body_.owned_begin + c / 3].displacement[c % 3] = u[c];
+    state_[component_[c] / 3].displacement[component_[c] % 3] = u[c];
   }
 }
 
 double ForceBalance::stiffness_scale() const {
-  const auto& first = std::span(body_.elements);
+  const auto& first = std::span(part_.bodies[bodies_.front()].elements);
   return material_.young * (part_.reference[first[0]] - part_.reference[first[1]]).norm();
 }
 

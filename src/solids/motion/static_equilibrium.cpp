@@ -14,6 +14,7 @@
 #include "force_balance.hpp"
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/parallel/petsc.hpp"
+#include "idiophone/scene/joined_solids.hpp"
 #include "idiophone/solids/motion/prestress_balance.hpp"
 
 namespace idiophone::motion {
@@ -104,50 +105,69 @@ class NewtonSolver {
   parallel::Handle<SNES> solver_;
 };
 
-/// Why and where a body has an equilibrium of its own, for messages.
+/// Why and where bodies have an equilibrium of their own, for messages.
 struct Cause {
   std::string what;  ///< "pluck 'finger'"
   deck::Location where;
 };
 
-/// None: it rests undeformed.
-std::optional<Cause> cause_of(const scene::Solids& solids, std::size_t body, bool is_deformed) {
-  const auto pluck = std::ranges::find(solids.plucks, body, &scene::Pluck::body);
-  if (pluck != solids.plucks.end()) {
-    return Cause{fmt::format("pluck '{}'", pluck->name), pluck->place.where};
-  }
-  return is_deformed ? std::optional(Cause{"its prestress", solids.bodies[body].prestress->where}) : std::nullopt;
+bool is_plucked(const scene::Solids& solids, std::size_t body) {
+  return std::ranges::find(solids.plucks, body, &scene::Pluck::body) != solids.plucks.end();
 }
 
-/// @throws deck::DeckError where joints tie a body that its prestress deforms to others: they are left out here
-void refuse_joints(const scene::Solids& solids, std::size_t body) {
-  const auto ties = [body](const scene::Joint& joint) {
-    return std::ranges::any_of(joint.surfaces, [body](const auto& surface) { return surface.body == body; });
-  };
-  if (const auto joint = std::ranges::find_if(solids.joints, ties); joint != solids.joints.end()) {
-    throw deck::DeckError(
-        solids.bodies[body].prestress->where,
-        fmt::format("the prestress deforms body '{}', which the joint '{}' holds: this is not possible "
-                    "yet; leave out one of the two",
-                    solids.bodies[body].name, joint->name));
+/// None: they rest undeformed.
+/// @param bodies  that joints tie together, or one
+std::optional<Cause> cause_of(const scene::Solids& solids, const std::vector<std::size_t>& bodies,
+                              const std::vector<char>& deformed) {
+  for (const std::size_t body : bodies) {
+    const auto pluck = std::ranges::find(solids.plucks, body, &scene::Pluck::body);
+    if (pluck != solids.plucks.end()) {
+      return Cause{fmt::format("pluck '{}'", pluck->name), pluck->place.where};
+    }
+    if (deformed[body] != 0) {
+      return Cause{fmt::format("the prestress of body '{}'", solids.bodies[body].name),
+                   solids.bodies[body].prestress->where};
+    }
+  }
+  return std::nullopt;
+}
+
+/// @throws deck::DeckError where one of several bodies is modal: the modes of a body know nothing of the pull of a
+/// joint
+void refuse_modal(const scene::Solids& solids, const std::vector<std::size_t>& bodies, const Cause& cause) {
+  const auto is_modal = [&](std::size_t body) { return solids.bodies[body].modal.has_value(); };
+  if (const auto modal = std::ranges::find_if(bodies, is_modal); bodies.size() > 1 && modal != bodies.end()) {
+    throw deck::DeckError(cause.where,
+                          fmt::format("{} deforms bodies that joints tie together, and '{}' is modal, which can't be "
+                                      "deformed by a joint at rest: use model: {{type: finite_elements}}",
+                                      cause.what, solids.bodies[*modal].name));
   }
 }
 
-/// Displacements of the body's nodes. @throws deck::DeckError, as static_equilibrium()
-std::vector<double> solve(ForceBalance problem, const std::string& body, const Cause& cause) {
+/// The names of bodies, for messages: 'string', 'bridge'.
+std::string names_of(const scene::Solids& solids, const std::vector<std::size_t>& bodies) {
+  std::string names;
+  for (const std::size_t body : bodies) {
+    names += fmt::format("{}'{}'", names.empty() ? "" : ", ", solids.bodies[body].name);
+  }
+  return (bodies.size() > 1 ? "bodies " : "body ") + names;
+}
+
+/// Displacements of the unknowns. @throws deck::DeckError, as static_equilibrium()
+std::vector<double> solve(ForceBalance& problem, const std::string& bodies, const Cause& cause) {
   if (!problem.is_held()) {
-    throw deck::DeckError(cause.where, fmt::format("body '{}' has no rest under {}: nothing holds it; give it fixed "
-                                                   "groups or supports",
-                                                   body, cause.what));
+    throw deck::DeckError(cause.where, fmt::format("{} has no rest under {}: nothing holds it; give it fixed groups or "
+                                                   "supports",
+                                                   bodies, cause.what));
   }
   NewtonSolver newton(problem);
   const std::array increments = {1, 4, 16, 64};
   if (std::ranges::none_of(increments, [&](int count) { return newton.solve(count); })) {
     throw deck::DeckError(
         cause.where,
-        fmt::format("no static equilibrium of body '{}' under {} was found, not even in {} increments of the load; "
-                    "is the force too large, or is the body free to turn?",
-                    body, cause.what, increments.back()));
+        fmt::format("no static equilibrium of {} under {} was found, not even in {} increments of the load; "
+                    "is the force too large, or is a body free to turn?",
+                    bodies, cause.what, increments.back()));
   }
   std::vector<double> displacement(problem.size());
   newton.copy_to(displacement);
@@ -160,23 +180,28 @@ std::vector<double> static_equilibrium(const scene::Solids& solids, const mesh::
                                        const Attachments& attachments, const FiniteElementDynamics& dynamics) {
   const std::vector<char> deformed = deformed_by_prestress(solids, part, dynamics, MPI_COMM_SELF);
   std::vector<double> displacement;
-  for (std::size_t b = 0; b < solids.bodies.size(); ++b) {
-    const scene::Body& body = solids.bodies[b];
-    const bool is_plucked = std::ranges::find(solids.plucks, b, &scene::Pluck::body) != solids.plucks.end();
-    const std::optional<Cause> cause = cause_of(solids, b, deformed[b] != 0);
-    if (deformed[b] != 0) {
-      refuse_joints(solids, b);
-    }
-    if (!cause || (body.modal && !is_plucked)) {
+  for (const std::vector<std::size_t>& bodies : scene::assemblies(solids)) {
+    const std::optional<Cause> cause = cause_of(solids, bodies, deformed);
+    if (!cause) {
       continue;
     }
-    std::vector<double> u = solve({solids, part, attachments, dynamics, b, true}, body.name, *cause);
-    if (body.modal && deformed[b] != 0) {  // its modes move it about where its prestress leaves it
-      const std::vector<double> rest = solve({solids, part, attachments, dynamics, b, false}, body.name, *cause);
-      std::ranges::transform(u, rest, u.begin(), std::minus());
+    refuse_modal(solids, bodies, *cause);
+    const std::size_t first = bodies.front();
+    const bool is_modal = solids.bodies[first].modal.has_value();
+    if (is_modal && !is_plucked(solids, first)) {
+      continue;
+    }
+    const std::string names = names_of(solids, bodies);
+    ForceBalance problem(solids, part, attachments, dynamics, bodies, true);
+    std::vector<double> u = solve(problem, names, *cause);
+    if (is_modal && deformed[first] != 0) {  // its modes move it about where its prestress leaves it
+      ForceBalance unloaded(solids, part, attachments, dynamics, bodies, false);
+      std::ranges::transform(u, solve(unloaded, names, *cause), u.begin(), std::minus());
     }
     displacement.resize(3UL * part.global_nodes);
-    std::ranges::copy(u, displacement.begin() + 3L * part.bodies[b].owned_begin);
+    for (std::size_t c = 0; c < u.size(); ++c) {
+      displacement[problem.components()[c]] = u[c];
+    }
   }
   return displacement;
 }

@@ -34,6 +34,8 @@ class Joints {
   /// undeformed bodies, N/m, row and column 3 a + i for local node a of the list and direction i; symmetric.
   using Visitor = std::function<void(std::span<const Index> nodes, const Eigen::MatrixXd& stiffness)>;
   void for_each_stiffness(std::size_t joint, const Visitor& visit) const;
+  /// The same about a state, [local nodes], without the stiffness of damping. Needs the state of the ghosts, too.
+  void for_each_stiffness(std::size_t joint, std::span<const solid::NodeState> state, const Visitor& visit) const;
 
   /// The points that are computed here, in local node numbers.
   [[nodiscard]] std::span<const MeshedJoint> all() const { return joints_; }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "idiophone/foundation/parallel/petsc.hpp"
+#include "idiophone/solids/joints/joints.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/solid/solid.hpp"
 
@@ -51,8 +52,10 @@ using Moduli = const solid::Elasticity& (solid::Solid::*)(std::size_t region) co
 void add_tangent_stiffness(const mesh::Part& part, const mesh::BodyPart& body, const solid::Solid& solid, Moduli moduli,
                            std::span<const solid::NodeState> state, const Components& components, Mat matrix);
 
-/// Adds a matrix between local nodes, [3 nodes x 3 nodes] as an element's. The caller assembles the sum.
+/// Adds the stiffness of all joints about displacements. The caller assembles the matrix.
+/// @param state  [local nodes]
 /// @throws std::runtime_error where PETSc can't
-void add_between(std::span<const Index> nodes, const Components& components, const Eigen::MatrixXd& values, Mat matrix);
+void add_joint_stiffness(const joints::Joints& joints, std::span<const solid::NodeState> state,
+                         const Components& components, Mat matrix);
 
 }  // namespace idiophone::motion
