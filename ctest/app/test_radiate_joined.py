@@ -14,6 +14,9 @@ BOLT = "--set", ("joints={bolt: {type: bolt, between: [upper.bottom, lower.top],
 APART = ("--set", "bodies.lower.position=[0, 0, -0.0225]", "--set",
          "joints={coil: {type: spring, between: [upper.tip, lower.tip], stiffness: {axial: 1.0e6, lateral: 2.0e5}}, "
          "pin: {type: hinge, between: [upper.clamp, lower.clamp], axis: [[0, -0.01, -0.01], [0, 0.01, -0.01]]}}")
+STUDS = ("--set", "bodies.lower.position=[0, 0, -0.0225]", "--set", "joints={" + ", ".join(
+    f"stud_{number}: {{type: bolt, between: [upper.bottom, lower.top], axis: [[{x}, 0, 0], [{x}, 0, -0.02]], radius: 0.005, "
+    "shank: 0.002, material: steel, preload: 1000}" for number, x in enumerate((0.04, 0.2))) + "}")
 BAR = """\
 name: bar
 time: {duration: 0.1}
@@ -61,8 +64,14 @@ class RadiateJoined(program.TestCase):
                 self.assertAlmostEqual(*level, delta=0.05, msg=f"{one['motion']} {listener}")
 
     def test_bars_on_a_spring_and_a_hinge_sound_as_their_map(self):
-        sounds = self.sounds(LAYERS, "--modes", 2, *APART)
-        self.require_status(program.idiophone("map", LAYERS, *APART, "--modes", 2, "--radiation", "boundary_elements",
+        self.require_as_map(APART)
+
+    def test_bars_between_studs_sound_as_their_map(self):
+        self.require_as_map(STUDS)
+
+    def require_as_map(self, joints):
+        sounds = self.sounds(LAYERS, "--modes", 2, *joints)
+        self.require_status(program.idiophone("map", LAYERS, *joints, "--modes", 2, "--radiation", "boundary_elements",
                                               "--output-folder", self.output), program.FINISHED)
         path, = self.output.glob("*.map.h5")
         with h5py.File(path) as made:
