@@ -217,6 +217,12 @@ class Joints(program.TestCase):
                 self.assertEqual(file[f"modes/{body}/shape"].shape[1:], file[f"mesh/{body}/nodes"].shape)
             numpy.testing.assert_array_equal(file["modes/left/frequency"], file["modes/right/frequency"])
 
+    def test_modes_of_glued_bodies_have_an_error_of_the_mesh(self):
+        job = program.idiophone("modes", program.deck("bar_of_layers"), "--modes", 3, "--json", "--output-folder", self.output)
+        self.require_status(job, program.FINISHED)
+        for mode in json.loads(job.stdout)["modes"]:
+            self.assertGreater(mode["mesh_error"], 0.5)
+
     def test_check_estimates_no_modes_of_a_body_by_itself(self):
         job = program.idiophone("check", DECK, "--json")
         self.require_status(job, program.FINISHED)
@@ -254,6 +260,9 @@ class Joints(program.TestCase):
         job = program.idiophone("modes", DECK, "--in-air", "--output-folder", self.output)
         self.assertEqual(job.returncode, program.FAILED)
         self.assertIn("--in-air is for a body without joints", job.stderr)
+        job = program.idiophone("modes", DECK, "--estimate", "--output-folder", self.output)
+        self.assertEqual(job.returncode, program.FAILED)
+        self.assertIn("--estimate is for bodies whose joints are glue", job.stderr)
         job = program.idiophone("bench", DECK, "--target", "1:2")
         self.assertEqual(job.returncode, program.WRONG_DECK)
         self.assertIn("joints.glue: 'bench' does not know joints", job.stderr)

@@ -36,7 +36,7 @@ std::vector<double> estimated_mesh_errors(eigenmodes::Estimates wanted, eigenmod
                                           const PartWatch& watch) {
   std::vector<double> errors;
   parallel::on_root(communicator, [&] {
-    errors = eigenmodes::mesh_errors(solids, meshes.front(), mass, shapes, wanted, watch);
+    errors = eigenmodes::mesh_errors(solids, meshes, mass, shapes, wanted, watch);
     const std::string remark = eigenmodes::left_out(errors, shapes.size(), wanted);
     if (!remark.empty() && loop::noted_signal() == 0) {
       spdlog::info(remark);

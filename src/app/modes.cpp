@@ -142,7 +142,7 @@ int modes(const ModesOptions& options) {
   const scene::Solids solids(scene);
   const bool has_joints = !scene.joints.empty();
   if (has_joints) {
-    refuse_with_joints(options);
+    refuse_with_joints(options, solids);
   }
   const loop::OutputLock lock(options.output, name_of_modes(scene), communicator);
   const std::vector<mesh::Mesh> meshes = bodies::read_meshes(solids.bodies, communicator);
@@ -155,8 +155,10 @@ int modes(const ModesOptions& options) {
   if (options.bounds) {
     bound(options, solids, meshes, known, communicator);
   }
-  if (!has_joints) {
+  if (eigenmodes::can_estimate(solids)) {
     estimate(options, solids, meshes, known, communicator);
+  }
+  if (!has_joints) {
     add_air(options, meshes, scene.radiation.air, known, communicator);
   }
   write_modes(options.output,

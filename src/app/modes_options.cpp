@@ -56,16 +56,18 @@ void check(const ModesOptions& options) {
   }
 }
 
-void refuse_with_joints(const ModesOptions& options) {
-  const std::array<std::pair<bool, std::string>, 4> asked = {
-      {{options.in_air, "--in-air"},
-       {options.bounds, "--bounds"},
-       {options.pictures, "--pictures"},
-       {options.estimates == eigenmodes::Estimates::all, "--estimate"}}};
+void refuse_with_joints(const ModesOptions& options, const scene::Solids& solids) {
+  const std::array<std::pair<bool, std::string>, 3> asked = {
+      {{options.in_air, "--in-air"}, {options.bounds, "--bounds"}, {options.pictures, "--pictures"}}};
   for (const auto& [is_asked, option] : asked) {
     if (is_asked) {
       throw std::runtime_error(option + " is for a body without joints: leave it out");
     }
+  }
+  if (options.estimates == eigenmodes::Estimates::all && !eigenmodes::can_estimate(solids)) {
+    throw std::runtime_error(
+        "--estimate is for bodies whose joints are glue or bolts without shank, and whose elements are all tet4, all "
+        "tet10 or all hexahedra: leave it out");
   }
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "command.hpp"
+#include "idiophone/scene/solids.hpp"
 
 namespace idiophone::app {
 
@@ -34,6 +35,6 @@ void declare(CLI::App& app, ModesOptions& options);
 void check(const ModesOptions& options);
 
 /// @throws std::runtime_error for what is not known of bodies with joints
-void refuse_with_joints(const ModesOptions& options);
+void refuse_with_joints(const ModesOptions& options, const scene::Solids& solids);
 
 }  // namespace idiophone::app

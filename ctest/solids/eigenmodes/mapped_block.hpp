@@ -105,7 +105,7 @@ struct Judged {
 inline std::vector<double> estimates(const VibratingBody& body, const Modes& modes, MassMatrix mass) {
   std::vector<std::vector<double>> shapes;
   std::ranges::transform(modes.modes, std::back_inserter(shapes), &Mode::shape);
-  return mesh_errors(body.scene, body.mesh, mass, shapes);
+  return mesh_errors(body.scene, {body.mesh}, mass, shapes);
 }
 
 /// The lowest modes of a mesh whose likes are among the exact ones.

@@ -178,7 +178,7 @@ TEST(Regions, MeshErrorsAreEstimated) {
     shapes.push_back(mode.shape);
   }
   const std::vector<double> exact = exact_frequencies(3);
-  const std::vector<double> errors = mesh_errors(body.scene, body.mesh, MassMatrix::lumped, shapes);
+  const std::vector<double> errors = mesh_errors(body.scene, {body.mesh}, MassMatrix::lumped, shapes);
   ASSERT_EQ(errors.size(), 3U);
   for (std::size_t mode = 0; mode < 3; ++mode) {
     const double share = errors[mode] / cents_above(2 * std::numbers::pi * found.modes[mode].frequency, exact[mode]);

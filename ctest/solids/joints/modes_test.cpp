@@ -8,6 +8,7 @@
 
 #include "assembly.hpp"
 #include "block_mesh.hpp"
+#include "idiophone/solids/eigenmodes/mesh_errors.hpp"
 #include "ranks.hpp"
 
 namespace idiophone::eigenmodes {
@@ -94,6 +95,30 @@ TEST(JointedModes, ALayerDampsTheMotionAcrossIt) {
   const auto bounce = std::ranges::min_element(
       joined.modes, {}, [&](const Mode& mode) { return std::abs(turn * mode.frequency - layer); });
   EXPECT_NEAR(bounce->damping_ratio, relaxation * layer / 2, 1e-3 * relaxation * layer);
+}
+
+/// Two bars that glue ties end to end.
+Assembly tied_bars(element::Type type) {
+  Assembly bars;
+  bars.add(support::block_mesh(type, {0.15, 0.03, 0.01}, {3, 1, 1}), Vector3::Zero());
+  bars.add(support::block_mesh(type, {0.25, 0.03, 0.01}, {5, 1, 1}), {0.15, 0, 0});
+  bars.join("x1", "x0", scene::JointStiffness{1e15, 4e14});
+  return bars;
+}
+
+TEST(JointedModes, HaveAnErrorOfTheMesh) {
+  constexpr int count = 5;
+  const Modes exact = tied_bars(element::hex(6, 4)).find(count);
+  const Assembly bars = tied_bars(element::hex(3, 2));
+  const Modes found = bars.find(count);
+  std::vector<std::vector<double>> shapes;
+  std::ranges::transform(found.modes, std::back_inserter(shapes), &Mode::shape);
+  const std::vector<double> estimates = mesh_errors(bars.scene, bars.meshes, MassMatrix::lumped, shapes);
+  for (std::size_t mode = 0; mode < count; ++mode) {
+    const double error = 1200 * std::log2(found.modes[mode].frequency / exact.modes[mode].frequency);
+    EXPECT_LT(error, 0.7 * estimates[mode]) << mode;
+    EXPECT_GT(error, 0.4 * estimates[mode]) << mode;
+  }
 }
 
 constexpr double wire_length = 0.65, cell = wire_length / 13, cooled = 200;  // m, m, K

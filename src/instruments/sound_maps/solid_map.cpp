@@ -94,7 +94,7 @@ SoundMap map_of(const scene::Scene& scene, SolvedSolid solved, eigenmodes::Estim
         eigenmodes::stretching_of(solved.found, solids, part, solved.attachments, *first.modal->stretching_tolerance);
   }
   if (is_alone) {
-    map.mesh_error = eigenmodes::mesh_errors(solids, solved.meshes.front(), solved.options.mass,
+    map.mesh_error = eigenmodes::mesh_errors(solids, solved.meshes, solved.options.mass,
                                              shapes_of(std::move(solved.found.modes)), estimates);
   }
   return map;

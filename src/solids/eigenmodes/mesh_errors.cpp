@@ -37,38 +37,42 @@ double extrapolated(element::Type type, double lost, double gained) {
 }
 
 /// How many modes a quick estimate may have.
-std::size_t quick_modes(const mesh::Mesh& mesh) {
+std::size_t quick_modes(const std::vector<mesh::Mesh>& meshes) {
   constexpr double most_entries = 4e8;  // about 2e-8 s for each entry of the matrix and each mode
-  return static_cast<std::size_t>(most_entries / mesh::refined_entries(mesh));
+  double entries = 0.0;
+  for (const mesh::Mesh& mesh : meshes) {
+    entries += mesh::refined_entries(mesh);
+  }
+  return static_cast<std::size_t>(most_entries / entries);
 }
 
 }  // namespace
 
-std::vector<double> mesh_errors(const scene::Solids& solids, const mesh::Mesh& mesh, MassMatrix mass,
+std::vector<double> mesh_errors(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes, MassMatrix mass,
                                 std::span<const std::vector<double>> shapes, const PartWatch& watch) {
   if (shapes.empty()) {
     return {};
   }
-  const RefinedProblem problem(solids, mesh, mass, shapes.front());
+  const RefinedProblem problem(solids, meshes, mass, shapes.front());
   const std::vector<RefinedValue> values = refined_values(problem, shapes, watch);
   std::vector<double> errors;
   for (std::size_t mode = 0; mode < values.size(); ++mode) {
     const auto [interpolated, improved] = values[mode];
-    errors.push_back(
-        extrapolated(mesh.element, cents(problem.given_value(shapes[mode]), improved), cents(interpolated, improved)));
+    errors.push_back(extrapolated(meshes.front().element, cents(problem.given_value(shapes[mode]), improved),
+                                  cents(interpolated, improved)));
   }
   return errors;
 }
 
-std::vector<double> mesh_errors(const scene::Solids& solids, const mesh::Mesh& mesh, MassMatrix mass,
+std::vector<double> mesh_errors(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes, MassMatrix mass,
                                 std::span<const std::vector<double>> shapes, Estimates wanted, const PartWatch& watch) {
   if (wanted == Estimates::none) {
     return {};
   }
-  const std::size_t count = wanted == Estimates::all ? shapes.size() : std::min(shapes.size(), quick_modes(mesh));
+  const std::size_t count = wanted == Estimates::all ? shapes.size() : std::min(shapes.size(), quick_modes(meshes));
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
   try {
-    std::vector<double> errors = mesh_errors(solids, mesh, mass, shapes.first(count), watch);
+    std::vector<double> errors = mesh_errors(solids, meshes, mass, shapes.first(count), watch);
     if (!errors.empty()) {
       errors.resize(shapes.size(), unknown);
     }
@@ -76,6 +80,13 @@ std::vector<double> mesh_errors(const scene::Solids& solids, const mesh::Mesh& m
   } catch (const solid::InvertedElement&) {
     return std::vector(shapes.size(), unknown);
   }
+}
+
+bool can_estimate(const scene::Solids& solids) {
+  return std::ranges::all_of(solids.joints, &scene::Joint::is_layer) &&
+         std::ranges::all_of(solids.bodies, [&](const scene::Body& body) {
+           return body.element.kind == solids.bodies.front().element.kind;
+         });
 }
 
 std::string left_out(std::span<const double> errors, std::size_t modes, Estimates wanted) {

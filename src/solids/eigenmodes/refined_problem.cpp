@@ -1,6 +1,7 @@
 #include "refined_problem.hpp"
 
-#include <utility>
+#include <algorithm>
+#include <iterator>
 
 #include "idiophone/foundation/parallel/petsc.hpp"
 #include "rigid_motions.hpp"
@@ -11,15 +12,36 @@ using parallel::petsc;
 
 namespace {
 
-scene::Body with_element(scene::Body body, element::Type element) {
-  body.element = element;
-  return body;
+/// All bodies of some solids, which one body or joints make an assembly.
+scene::Assembly assembly_with_elements(const scene::Solids& solids, std::span<const mesh::Mesh> meshes) {
+  scene::Assembly assembly(solids, 0);
+  for (std::size_t b = 0; b < meshes.size(); ++b) {
+    assembly.bodies[b].element = meshes[b].element;
+  }
+  return assembly;
 }
 
-scene::Solids of_one_body(scene::Solids solids, const scene::Body& body) {
-  solids = solids.alone(0);
-  solids.bodies = {&body, 1};
-  return solids;
+/// @param joints  whose stiffness is to be that of the joints; none: their own
+motion::Attachments attached(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
+                             std::span<const joints::MeshedJoint> joints) {
+  motion::Attachments attachments = motion::attach(solids, meshes);
+  for (std::size_t j = 0; j < joints.size(); ++j) {
+    attachments.joints[j].normal = joints[j].normal;
+    attachments.joints[j].tangential = joints[j].tangential;
+  }
+  return attachments;
+}
+
+std::vector<mesh::RefinedMesh> all_refined(std::span<const mesh::Mesh> meshes) {
+  std::vector<mesh::RefinedMesh> refined;
+  std::ranges::transform(meshes, std::back_inserter(refined), mesh::refined);
+  return refined;
+}
+
+std::vector<mesh::Mesh> meshes_of(std::span<const mesh::RefinedMesh> refined) {
+  std::vector<mesh::Mesh> meshes;
+  std::ranges::transform(refined, std::back_inserter(meshes), &mesh::RefinedMesh::mesh);
+  return meshes;
 }
 
 /// Refined tetrahedra have the consistent mass: its error is the smaller one, and always above zero. Hexahedra keep
@@ -47,41 +69,50 @@ void set_sweep(KSP smoother, MatSORType direction) {
 
 }  // namespace
 
-MeshedBody::MeshedBody(const scene::Solids& all, mesh::Mesh mesh, MassMatrix mass)
-    : body(with_element(all.bodies.front(), mesh.element)),
-      solids(of_one_body(all, body)),
-      part(mesh::distribute({mesh}, MPI_COMM_SELF)),
-      attachments(motion::attach(solids, {mesh})),
+MeshedBodies::MeshedBodies(const scene::Solids& all, const std::vector<mesh::Mesh>& meshes, MassMatrix mass,
+                           std::span<const joints::MeshedJoint> joints)
+    : assembly(assembly_with_elements(all, meshes)),
+      solids(assembly.solids()),
+      part(mesh::distribute(meshes, MPI_COMM_SELF)),
+      attachments(attached(solids, meshes, joints)),
       operators(solids, part, attachments, mass, MPI_COMM_SELF) {}
 
-RefinedProblem::RefinedProblem(const scene::Solids& solids, const mesh::Mesh& mesh, MassMatrix mass,
+RefinedProblem::RefinedProblem(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes, MassMatrix mass,
                                std::span<const double> lowest)
-    : RefinedProblem(solids, mesh, mesh::refined(mesh), mass, lowest) {}
+    : RefinedProblem(solids, meshes, all_refined(meshes), mass, lowest) {}
 
-RefinedProblem::RefinedProblem(const scene::Solids& solids, const mesh::Mesh& mesh, const mesh::RefinedMesh& refined,
-                               MassMatrix mass, std::span<const double> lowest)
-    : given_(solids, mesh, mass), refined_(solids, refined.mesh, refined_mass(mesh.element, mass)) {
+RefinedProblem::RefinedProblem(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
+                               const std::vector<mesh::RefinedMesh>& refined, MassMatrix mass,
+                               std::span<const double> lowest)
+    : given_(solids, meshes, mass),
+      refined_(solids, meshes_of(refined), refined_mass(meshes.front().element, mass), given_.attachments.joints) {
   connect(refined);
   set_up_cycle(given_value(lowest));
 }
 
-void RefinedProblem::connect(const mesh::RefinedMesh& refined) {
+void RefinedProblem::connect(const std::vector<mesh::RefinedMesh>& refined) {
   const Operators& from = given_.operators;
   const Operators& to = refined_.operators;
   std::vector<PetscInt> lengths;
   const auto for_each_row = [&](auto visit) {
-    for (std::size_t c = 0; c < 3 * refined.parents.size(); ++c) {
-      if (to.is_free(c)) {
-        visit(to.number(c), refined.parents[c / 3], c % 3);
+    std::size_t component = 0;
+    for (std::size_t body = 0; body < refined.size(); ++body) {
+      const Index first = given_.part.bodies[body].owned_begin;
+      for (const std::vector<mesh::Parent>& parents : refined[body].parents) {
+        for (std::size_t axis = 0; axis < 3; ++axis, ++component) {
+          if (to.is_free(component)) {
+            visit(to.number(component), parents, 3UL * first + axis);
+          }
+        }
       }
     }
   };
   for_each_row(
       [&](PetscInt, const auto& parents, std::size_t) { lengths.push_back(static_cast<PetscInt>(parents.size())); });
   petsc(MatCreateSeqAIJ(PETSC_COMM_SELF, to.size(), from.size(), 0, lengths.data(), interpolation_.out()));
-  for_each_row([&](PetscInt row, const auto& parents, std::size_t axis) {
+  for_each_row([&](PetscInt row, const auto& parents, std::size_t first) {
     for (const mesh::Parent& parent : parents) {
-      const PetscInt column = from.number(3 * static_cast<std::size_t>(parent.node) + axis);  // -1 is left out
+      const PetscInt column = from.number(first + 3 * static_cast<std::size_t>(parent.node));  // -1 is left out
       petsc(MatSetValues(interpolation_, 1, &row, 1, &column, &parent.weight, INSERT_VALUES));
     }
   });

@@ -1,5 +1,5 @@
 #pragma once
-// The eigenproblem of a body on its mesh and on the refined mesh, and the way between them. On one rank.
+// The eigenproblem of bodies on their meshes and on refined meshes, and the way between them. On one rank.
 
 #include <petscksp.h>
 
@@ -7,22 +7,25 @@
 #include <span>
 #include <vector>
 
+#include "idiophone/scene/joined_solids.hpp"
 #include "idiophone/solids/mesh/refined.hpp"
 #include "operators.hpp"
 
 namespace idiophone::eigenmodes {
 
-/// Operators of one body on one mesh, with all that they refer to.
-struct MeshedBody {
+/// Operators of a body, or of bodies that joints tie together, on some meshes, with all that they refer to.
+struct MeshedBodies {
+  /// @param joints  that have the stiffness of these joints, if any, however wide the elements are
   /// @throws deck::DeckError as motion::attach()
-  MeshedBody(const scene::Solids& solids, mesh::Mesh mesh, MassMatrix mass);
-  MeshedBody(const MeshedBody&) = delete;
-  MeshedBody& operator=(const MeshedBody&) = delete;
-  MeshedBody(MeshedBody&&) = delete;
-  MeshedBody& operator=(MeshedBody&&) = delete;
-  ~MeshedBody() = default;
+  MeshedBodies(const scene::Solids& all, const std::vector<mesh::Mesh>& meshes, MassMatrix mass,
+               std::span<const joints::MeshedJoint> joints = {});
+  MeshedBodies(const MeshedBodies&) = delete;
+  MeshedBodies& operator=(const MeshedBodies&) = delete;
+  MeshedBodies(MeshedBodies&&) = delete;
+  MeshedBodies& operator=(MeshedBodies&&) = delete;
+  ~MeshedBodies() = default;
 
-  scene::Body body;  ///< with the element of the mesh
+  scene::Assembly assembly;  ///< with the elements of the meshes
   scene::Solids solids;
   mesh::Part part;
   motion::Attachments attachments;
@@ -31,11 +34,12 @@ struct MeshedBody {
 
 class RefinedProblem {
  public:
-  /// @param solids  of one body
-  /// @param mesh    of the body
-  /// @param lowest  shape of the lowest mode, [3 x nodes]
+  /// @param solids  of one body, or of bodies that joints tie together, and these joints are layers
+  /// @param meshes  of the bodies, all of elements of one kind
+  /// @param lowest  shape of the lowest mode, [3 x nodes of all bodies]
   /// @throws deck::DeckError as motion::attach(), std::runtime_error where PETSc can't
-  RefinedProblem(const scene::Solids& solids, const mesh::Mesh& mesh, MassMatrix mass, std::span<const double> lowest);
+  RefinedProblem(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes, MassMatrix mass,
+                 std::span<const double> lowest);
 
   [[nodiscard]] PetscInt size() const { return refined_.operators.size(); }  ///< free components
   [[nodiscard]] Mat stiffness() const { return refined_.operators.stiffness(); }
@@ -54,13 +58,13 @@ class RefinedProblem {
   void precondition(Vec force, Vec displacement) const;
 
  private:
-  RefinedProblem(const scene::Solids& solids, const mesh::Mesh& mesh, const mesh::RefinedMesh& refined, MassMatrix mass,
-                 std::span<const double> lowest);
-  void connect(const mesh::RefinedMesh& refined);
+  RefinedProblem(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
+                 const std::vector<mesh::RefinedMesh>& refined, MassMatrix mass, std::span<const double> lowest);
+  void connect(const std::vector<mesh::RefinedMesh>& refined);
   void set_up_cycle(double shift);
 
-  MeshedBody given_;
-  MeshedBody refined_;
+  MeshedBodies given_;
+  MeshedBodies refined_;
   parallel::Handle<Mat> interpolation_;  ///< [free components of the refined mesh x of the given one]
   parallel::Handle<Mat> coarse_;         ///< K + shift M of the given mesh
   parallel::Handle<PC> cycle_;

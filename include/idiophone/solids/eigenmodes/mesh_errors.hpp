@@ -16,16 +16,17 @@ namespace idiophone::eigenmodes {
 /// mesh (mesh::refined()), where a few steps of a preconditioned gradient method lower its eigenvalue, and what the
 /// refined mesh still errs is extrapolated. Both meshes have one shape: how far it is from that of the true body is not
 /// estimated. Runs on one rank.
-/// @param solids  of one body
-/// @param mesh    of the body
+/// @param solids  of one body, or of bodies that joints tie together: see can_estimate()
+/// @param meshes  of the bodies
 /// @param mass    that the modes were found with
-/// @param shapes  [modes][3 x nodes] of the modes, ascending by frequency
+/// @param shapes  [modes][3 x nodes of all bodies] of the modes, ascending by frequency
 /// @param watch   if it ends the work, there are fewer estimates
 /// @return [modes] cents by which each frequency is too high
 /// @throws deck::DeckError as motion::attach(), solid::InvertedElement where a curved element can't be divided,
 ///         std::runtime_error where PETSc can't
-[[nodiscard]] std::vector<double> mesh_errors(const scene::Solids& solids, const mesh::Mesh& mesh, MassMatrix mass,
-                                              std::span<const std::vector<double>> shapes, const PartWatch& watch = {});
+[[nodiscard]] std::vector<double> mesh_errors(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
+                                              MassMatrix mass, std::span<const std::vector<double>> shapes,
+                                              const PartWatch& watch = {});
 
 /// Of which modes the error is estimated.
 enum class Estimates {
@@ -38,9 +39,12 @@ enum class Estimates {
 /// @param watch  if it ends the work, the modes that are left have no estimate
 /// @return [modes] cents, NaN of modes without an estimate, and of all where a curved element can't be divided; empty
 ///         if all would take too long
-[[nodiscard]] std::vector<double> mesh_errors(const scene::Solids& solids, const mesh::Mesh& mesh, MassMatrix mass,
-                                              std::span<const std::vector<double>> shapes, Estimates wanted,
-                                              const PartWatch& watch = {});
+[[nodiscard]] std::vector<double> mesh_errors(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
+                                              MassMatrix mass, std::span<const std::vector<double>> shapes,
+                                              Estimates wanted, const PartWatch& watch = {});
+
+/// Whether mesh_errors() knows the joints and elements of bodies: the joints are layers, and all elements of one kind.
+[[nodiscard]] bool can_estimate(const scene::Solids& solids);
 
 /// What mesh_errors() leaves out, as a sentence for the user; empty if it leaves out nothing.
 /// @param errors  its result
