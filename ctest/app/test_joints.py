@@ -221,7 +221,7 @@ class Joints(program.TestCase):
         job = program.idiophone("modes", program.deck("bar_of_layers"), "--modes", 3, "--json", "--output-folder", self.output)
         self.require_status(job, program.FINISHED)
         for mode in json.loads(job.stdout)["modes"]:
-            self.assertGreater(mode["mesh_error"], 0.5)
+            self.assertGreater(mode["mesh_error"], 0.05)
 
     def test_check_estimates_no_modes_of_a_body_by_itself(self):
         job = program.idiophone("check", DECK, "--json")
