@@ -125,7 +125,7 @@ std::vector<NodeState> rest_under_prestress(const scene::Solids& solids, const m
   const std::int64_t held = std::ssize(dynamics.constraints().held_components()) +
                             std::ranges::count_if(support, [](double stiffness) { return stiffness > 0; });
   if (parallel::sum(held, communicator) < 6) {
-    refuse("deforms what nothing holds: give it fixed groups or supports");
+    refuse("deforms a body that nothing holds: give it fixed groups or supports");
   }
   dynamics.constraints().place(0.0, state);
   Newton newton(part, dynamics, support, components, communicator);
