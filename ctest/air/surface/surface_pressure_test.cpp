@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <complex>
+#include <numbers>
 #include <stdexcept>
 
 #include "idiophone/air/surface/emitter.hpp"
@@ -17,32 +20,63 @@ using Field = SurfacePressure::Field;
 
 constexpr double metres_per_sample = 343.0 / 44100.0;
 
-/// Pressure after so many audio samples in which P, the same at all triangles, rises by 1 Pa each.
-std::vector<double> after_ramp(Field field, const std::vector<double>& radii, int samples) {
+/// Pressure after so many audio samples, in which P, the same at all triangles, follows a function of the audio sample.
+template <class PlaneWave>
+std::vector<double> after(int samples, Field field, const std::vector<double>& radii, const PlaneWave& plane_wave) {
   SurfacePressure air(field, radii, metres_per_sample);
-  std::vector<double> before(padded(radii.size())), now(before), pressure(before);
+  std::vector<double> before(padded(radii.size()), plane_wave(0)), now(before), pressure(before);
   air.start(before);
   for (int i = 1; i <= samples; ++i) {
-    now.assign(now.size(), i);
+    now.assign(now.size(), plane_wave(i));
     air.step(before, now, pressure);
     before = now;
   }
   return pressure;
 }
 
+std::vector<double> after_ramp(Field field, const std::vector<double>& radii, int samples) {
+  return after(samples, field, radii, [](int sample) { return sample; });
+}
+
+/// Of a sphere on which P is 1 and harmonic, where it moves the air s = i k a.
+std::complex<double> harmonic(Field field, std::complex<double> s) {
+  return field == Field::pulsating ? s / (s + 1.0) : (s * s + s) / (s * s + 2.0 * s + 2.0);
+}
+
+/// Error for a harmonic P of 1 Pa with k a = 1 when it has lasted, Pa.
+double harmonic_error(Field field, int samples_in_period) {
+  const double angle = 2 * std::numbers::pi / samples_in_period;
+  const std::vector<double> radii = {metres_per_sample / angle};
+  double largest = 0.0;
+  for (int quarter = 0; quarter < 4; ++quarter) {
+    const int samples = 10 * samples_in_period + quarter * samples_in_period / 4;
+    const double found = after(samples, field, radii, [&](int sample) { return std::cos(angle * sample); })[0];
+    const std::complex<double> turn = std::polar(1.0, angle * samples);
+    largest = std::max(largest, std::abs(found - (harmonic(field, {0.0, 1.0}) * turn).real()));
+  }
+  return largest;
+}
+
 ON_RANKS(1);
 
-TEST(SurfacePressure, IsExactForARamp) {
-  // A P that rises as T = c t/a makes p = 1 - exp(-T) and [1 - exp(-T) (cos T - sin T)]/2.
-  for (const double radius : {2e-4, 0.01, 0.3, 50.0}) {
-    const double pace = metres_per_sample / radius;
-    for (const int samples : {1, 7, 60}) {
-      const double time = pace * samples;
-      const double scale = 1.0 / pace;
-      EXPECT_NEAR(after_ramp(Field::pulsating, {radius}, samples)[0], -std::expm1(-time) * scale, 1e-11 * samples);
-      EXPECT_NEAR(after_ramp(Field::oscillating, {radius}, samples)[0],
-                  (1.0 - std::exp(-time) * (std::cos(time) - std::sin(time))) / 2.0 * scale, 1e-11 * samples);
-    }
+TEST(SurfacePressure, IsExactForAParabola) {
+  // s -> (a/c) d/dt in the pressure of a harmonic P: s - s^2 and s/2 + 0 s^2 of P = i^2, when it has lasted.
+  constexpr int samples = 2000;
+  const auto square = [](int sample) { return static_cast<double>(sample) * sample; };
+  for (const double radius : {2e-4, 0.01, 0.3}) {
+    const double scale = radius / metres_per_sample;
+    const double slope = 2.0 * samples * scale;
+    const double bend = 2.0 * scale * scale;
+    EXPECT_NEAR(after(samples, Field::pulsating, {radius}, square)[0], slope - bend, 1e-12 * square(samples));
+    EXPECT_NEAR(after(samples, Field::oscillating, {radius}, square)[0], slope / 2, 1e-12 * square(samples));
+  }
+}
+
+TEST(SurfacePressure, IsOfThirdOrderForAHarmonicMotion) {
+  for (const Field field : {Field::pulsating, Field::oscillating}) {
+    const double coarse = harmonic_error(field, 40);
+    EXPECT_LT(coarse, 2e-4);
+    EXPECT_NEAR(coarse / harmonic_error(field, 80), 8.0, 1.0);
   }
 }
 

@@ -17,7 +17,7 @@ namespace idiophone::surface {
 ///   pulsating:    P s/(s + 1)                       (spherical Hankel function of order 0)
 ///   oscillating:  P (s^2 + s)/(s^2 + 2 s + 2)       (order 1: the sphere moves to and fro),
 /// both P at high frequencies, and a or a/2 times rho v' at low ones. In time both are p_s = P - Re(g q) with
-/// q' = (c/a) (root q + P); q is stepped exactly for a P that is linear between audio samples.
+/// q' = (c/a) (root q + P); q is stepped exactly for the parabola through P at the last three audio samples.
 class SurfacePressure {
  public:
   enum class Field {
@@ -60,10 +60,12 @@ class SurfacePressure {
   std::vector<double> radii_;  // m
   std::complex<double> root_;
   std::complex<double> gain_;
-  ComplexValues decay_;   // of q over an audio sample
-  ComplexValues before_;  // what P at the last audio sample adds to q
-  ComplexValues now_;     // what P at this one adds
-  ComplexValues memory_;  // q
+  ComplexValues decay_;       // of q over an audio sample
+  ComplexValues now_;         // what P at this audio sample adds to q
+  ComplexValues before_;      // what P at the last one adds
+  ComplexValues earlier_;     // what P at the one before adds
+  ComplexValues memory_;      // q
+  std::vector<double> past_;  // [padded(triangles)] P at the audio sample before the last one, Pa
 };
 
 }  // namespace idiophone::surface
