@@ -85,9 +85,9 @@ void SurfacePressure::step(std::span<const double> before, std::span<const doubl
   std::ranges::copy(now, pressure.begin());
   for (std::size_t i = 0; i < memory_[0].size(); i += wide_count) {
     const auto part = [i](const ComplexValues& parts, std::size_t which) { return load<WideLanes>(&parts[which][i]); };
-    const WideLanes earlier = load<WideLanes>(&past_[i]);
-    const WideLanes last = load<WideLanes>(&before[i]);
-    const WideLanes plane_wave = load<WideLanes>(&now[i]);
+    const auto earlier = load<WideLanes>(&past_[i]);
+    const auto last = load<WideLanes>(&before[i]);
+    const auto plane_wave = load<WideLanes>(&now[i]);
     const auto added = [&](std::size_t which) {
       return part(earlier_, which) * earlier + part(before_, which) * last + part(now_, which) * plane_wave;
     };

@@ -17,6 +17,7 @@
 #include "idiophone/solids/mesh/statistics.hpp"
 #include "joined_shapes.hpp"
 #include "rigid_motions.hpp"
+#include "shifted_stiffness.hpp"
 
 namespace idiophone::eigenmodes {
 
@@ -77,6 +78,11 @@ void check(const Modes& found, const scene::Body& body, const deck::Location& wh
   }
 }
 
+/// With a shift where the body can move rigidly.
+ShiftedStiffness invertible_stiffness(const Operators& operators, const Modes& found) {
+  return {operators, found.rigid_motions > 0 ? std::pow(2 * std::numbers::pi * found.shift, 2) : 0.0};
+}
+
 }  // namespace
 
 modal_bodies::ModalBasis modal_basis(const scene::Solids& solids, std::size_t body, const mesh::Mesh& mesh,
@@ -116,12 +122,12 @@ modal_bodies::ModalBasis modal_basis(const scene::Solids& solids, std::size_t bo
     mass += share;
   }
   basis.thickness = thickness_of(mesh, mass, mean_density(solids, unsupported, mesh, mass));
-  const double shift = std::pow(2 * std::numbers::pi * found.shift, 2);
-  basis.residual = residual_flexibility(operators, part, basis, loaded, normals_at(loaded, mesh), shift);
+  const ShiftedStiffness stiffness = invertible_stiffness(operators, found);
+  basis.residual = residual_flexibility(stiffness, part, basis, loaded, normals_at(loaded, mesh));
   if (model.stretching_tolerance) {
     const double tolerance = *model.stretching_tolerance;
     basis.stretching =
-        in_fewest_terms(find_stretching(operators, part, basis, shift, tolerance), basis.frequencies, tolerance);
+        in_fewest_terms(find_stretching(operators, part, basis, stiffness, tolerance), basis.frequencies, tolerance);
   }
   return basis;
 }
@@ -130,8 +136,8 @@ modal_bodies::Stretching stretching_of(const Modes& found, const scene::Solids& 
                                        const motion::Attachments& attachments, double tolerance) {
   const Operators operators(alone, part, attachments, MassMatrix::lumped, MPI_COMM_SELF);
   const modal_bodies::ModalBasis basis = basis_of(found, operators.dynamics());
-  const double shift = std::pow(2 * std::numbers::pi * found.shift, 2);
-  return in_fewest_terms(find_stretching(operators, part, basis, shift, tolerance), basis.frequencies, tolerance);
+  return in_fewest_terms(find_stretching(operators, part, basis, invertible_stiffness(operators, found), tolerance),
+                         basis.frequencies, tolerance);
 }
 
 }  // namespace idiophone::eigenmodes

@@ -88,7 +88,8 @@ Eigen::MatrixXd without_rigid_motions(const Eigen::MatrixXd& shapes, const Opera
 }  // namespace
 
 modal_bodies::Stretching find_stretching(const Operators& operators, const mesh::Part& part,
-                                         const modal_bodies::ModalBasis& basis, double shift, double tolerance) {
+                                         const modal_bodies::ModalBasis& basis, const ShiftedStiffness& stiffness,
+                                         double tolerance) {
   if (operators.is_deformed()) {
     throw std::runtime_error(
         "the prestress deforms the body, and large_amplitudes are possible about the undeformed shape only: give a "
@@ -96,15 +97,15 @@ modal_bodies::Stretching find_stretching(const Operators& operators, const mesh:
         "that pulls on held faces only, or leave out large_amplitudes");
   }
   const solid::Solid& solid = operators.dynamics().solid(0);
-  std::vector<solid::StiffnessMatrix> stiffness;
+  std::vector<solid::StiffnessMatrix> of_regions;
   for (std::size_t region = 0; region < solid.region_count(); ++region) {
-    stiffness.push_back(stiffness_matrix(solid.elasticity(region)));
+    of_regions.push_back(stiffness_matrix(solid.elasticity(region)));
   }
-  const StrainSpace space(part.bodies.front(), part.reference, stiffness);
+  const StrainSpace space(part.bodies.front(), part.reference, of_regions);
   const auto modes = std::ssize(basis.frequencies);
   const Eigen::Map<const Eigen::MatrixXd> all(basis.shapes.data(), std::ssize(basis.shapes) / modes, modes);
   const Eigen::MatrixXd shapes = without_rigid_motions(all, operators, part, basis.masses);
-  const StaticStretch statics(operators, space, basis, rigid_motions(part, operators, MPI_COMM_SELF), shift);
+  const StaticStretch statics(stiffness, space, basis, rigid_motions(part, operators, MPI_COMM_SELF));
   const Eigen::MatrixXd range = find_range(space, statics, shapes, basis.frequencies, tolerance);
 
   modal_bodies::Stretching found;

@@ -3,6 +3,7 @@
 
 #include "idiophone/solids/modal_bodies/modal_basis.hpp"
 #include "operators.hpp"
+#include "shifted_stiffness.hpp"
 
 namespace idiophone::eigenmodes {
 
@@ -10,11 +11,12 @@ namespace idiophone::eigenmodes {
 /// random vibrations, with the same energy in all modes on average, give strains, until new ones hold nothing new. The
 /// random numbers are the same in each call. Runs on one rank.
 /// @param basis      modes, masses and whether the body is free
-/// @param shift      far below the lowest mode, (rad/s)^2
+/// @param stiffness  of the body, with a shift far below the lowest mode where it can move rigidly, and without one
+///                   where it cannot
 /// @param tolerance  share of the energy of stretching that may be left out
 /// @throws std::runtime_error where a prestress deforms the body
 [[nodiscard]] modal_bodies::Stretching find_stretching(const Operators& operators, const mesh::Part& part,
-                                                       const modal_bodies::ModalBasis& basis, double shift,
-                                                       double tolerance);
+                                                       const modal_bodies::ModalBasis& basis,
+                                                       const ShiftedStiffness& stiffness, double tolerance);
 
 }  // namespace idiophone::eigenmodes

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "idiophone/foundation/inertia_tensor.hpp"
-#include "shifted_stiffness.hpp"
 
 namespace idiophone::eigenmodes {
 
@@ -41,11 +40,10 @@ class RigidMobility {
 
 }  // namespace
 
-std::vector<double> residual_flexibility(const Operators& operators, const mesh::Part& part,
+std::vector<double> residual_flexibility(const ShiftedStiffness& stiffness, const mesh::Part& part,
                                          const modal_bodies::ModalBasis& basis, std::span<const Index> nodes,
-                                         std::span<const Vector3> directions, double shift) {
+                                         std::span<const Vector3> directions) {
   constexpr std::size_t at_once = 128;
-  const ShiftedStiffness stiffness(operators, shift);
   const RigidMobility rigid(basis, part);
   std::vector<double> residual(basis.nodes());
   std::vector<double> whole;
@@ -58,10 +56,10 @@ std::vector<double> residual_flexibility(const Operators& operators, const mesh:
     const Index node = nodes[i];
     const Vector3& direction = directions[i];
     double left = whole[i];
-    left -= basis.is_free ? rigid.at(part.reference[node], direction) / shift : 0.0;
+    left -= basis.is_free ? rigid.at(part.reference[node], direction) / stiffness.shift() : 0.0;
     for (std::size_t mode = 0; mode < basis.modes(); ++mode) {
       const double along = direction.dot(Vector3::Map(&basis.shapes[3 * (mode * basis.nodes() + node)]));
-      left -= along * along / (basis.frequencies[mode] * basis.frequencies[mode] + shift);
+      left -= along * along / (basis.frequencies[mode] * basis.frequencies[mode] + stiffness.shift());
     }
     residual[node] = std::max(0.0, left);
   }

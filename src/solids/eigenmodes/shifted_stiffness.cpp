@@ -4,7 +4,7 @@ namespace idiophone::eigenmodes {
 
 using parallel::petsc;
 
-ShiftedStiffness::ShiftedStiffness(const Operators& operators, double shift) : operators_(operators) {
+ShiftedStiffness::ShiftedStiffness(const Operators& operators, double shift) : operators_(operators), shift_(shift) {
   petsc(MatDuplicate(operators.stiffness(), MAT_COPY_VALUES, matrix_.out()));
   petsc(MatAXPY(matrix_, shift, operators.mass(), SUBSET_NONZERO_PATTERN));
   petsc(KSPCreate(PETSC_COMM_SELF, solver_.out()));

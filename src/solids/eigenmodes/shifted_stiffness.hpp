@@ -21,6 +21,9 @@ class ShiftedStiffness {
   /// @throws std::runtime_error where MUMPS fails, for instance without enough memory
   ShiftedStiffness(const Operators& operators, double shift);
 
+  /// (rad/s)^2
+  [[nodiscard]] double shift() const { return shift_; }
+
   /// The displacements along unit forces, each at a node by itself, m/N. Many at once are several times as fast.
   /// @param directions  [nodes]
   [[nodiscard]] std::vector<double> flexibilities(std::span<const Index> nodes,
@@ -37,6 +40,7 @@ class ShiftedStiffness {
              const std::function<void(PetscInt column, Vec right, Vec solution)>& take) const;
 
   const Operators& operators_;
+  double shift_;
   parallel::Handle<Mat> matrix_;
   parallel::Handle<KSP> solver_;
   Mat factored_ = nullptr;  // the solver's

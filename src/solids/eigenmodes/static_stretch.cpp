@@ -20,11 +20,10 @@ Eigen::MatrixXd orthonormal(const std::vector<std::vector<double>>& rigid, const
   return motions * dense::inverse_root(motions.transpose() * masses.asDiagonal() * motions);
 }
 
-StaticStretch::StaticStretch(const Operators& operators, const StrainSpace& space,
-                             const modal_bodies::ModalBasis& basis, const std::vector<std::vector<double>>& rigid,
-                             double shift)
+StaticStretch::StaticStretch(const ShiftedStiffness& stiffness, const StrainSpace& space,
+                             const modal_bodies::ModalBasis& basis, const std::vector<std::vector<double>>& rigid)
     : space_(space),
-      stiffness_(operators, rigid.empty() ? 0.0 : shift),
+      stiffness_(stiffness),
       masses_(as_vector(basis.masses).transpose().replicate<3, 1>().reshaped()),
       kept_(masses_.size(), std::ssize(rigid) + std::ssize(basis.frequencies)) {
   if (!rigid.empty()) {

@@ -4,7 +4,6 @@
 #include <Eigen/Core>
 
 #include "idiophone/solids/modal_bodies/modal_basis.hpp"
-#include "operators.hpp"
 #include "shifted_stiffness.hpp"
 #include "strain_space.hpp"
 
@@ -17,12 +16,11 @@ namespace idiophone::eigenmodes {
 
 class StaticStretch {
  public:
-  /// @param operators  of the body, on one rank; must outlive this object, as must `space`
+  /// @param stiffness  of the body, with a shift far below the lowest mode where it can move rigidly, and without one
+  ///                   where it cannot; must outlive this object, as must `space`
   /// @param rigid      rigid motions that nothing resists, [motions][3 x nodes]
-  /// @param shift      far below the lowest mode, (rad/s)^2: where the body can move rigidly, it is added to the
-  ///                   eigenvalues, so that the stiffness can be inverted
-  StaticStretch(const Operators& operators, const StrainSpace& space, const modal_bodies::ModalBasis& basis,
-                const std::vector<std::vector<double>>& rigid, double shift);
+  StaticStretch(const ShiftedStiffness& stiffness, const StrainSpace& space, const modal_bodies::ModalBasis& basis,
+                const std::vector<std::vector<double>>& rigid);
 
   /// What remains of each strain b with the displacement w that makes it least, b + e(w). All w count that are
   /// orthogonal, by the mass, to the modes of the basis and to rigid motions. [size of the space, strains]
@@ -30,7 +28,7 @@ class StaticStretch {
 
  private:
   const StrainSpace& space_;
-  ShiftedStiffness stiffness_;
+  const ShiftedStiffness& stiffness_;
   Eigen::VectorXd masses_;  ///< [3 x nodes] kg
   Eigen::MatrixXd kept_;    ///< [3 x nodes, rigid motions and modes] orthonormal by the mass
 };
