@@ -67,12 +67,20 @@ TEST(MeshFile, GivesTheMeshThatItWasMadeFrom) {
 }
 
 TEST(MeshFile, IsTurnedAndMovedByTheDeck) {
-  scene::Body body = shipped("bar.geo", element::tet10);
-  body.rotation = {0.3, -1.0, 0.5};
-  body.position = {0.1, 0.2, -3.0};
-  const Stored stored(body);
-  EXPECT_EQ(storable_mesh(body).mesh.nodes, read_mesh(shipped("bar.geo", element::tet10)).nodes);
-  expect_same(read_mesh(stored.body), read_mesh(body));
+  for (const element::Type type : {element::tet10, element::hex(3, 2)}) {
+    const scene::Body body = shipped("bar.geo", type);
+    const scene::Body moved = turned_and_moved(body);
+    const Stored stored(moved);
+    EXPECT_EQ(storable_mesh(moved).mesh.nodes, read_mesh(body).nodes);
+    expect_same(read_mesh(stored.body), read_mesh(moved));
+    EXPECT_EQ(read_mesh(moved).elements, read_mesh(body).elements);
+  }
+}
+
+TEST(MeshFile, ThatTheDeckMovesTooFarIsRefused) {
+  Stored stored(shipped("bar.geo", element::tet4, {{"size", 0.03}}));
+  stored.body.position = {0.0, 1e4, 0.0};
+  EXPECT_THAT(refusal(stored.body), AllOf(StartsWith("deck.yaml:7:9: "), HasSubstr("comes to lie too far away")));
 }
 
 TEST(MeshFile, HasTheFacesOfAPartAndNotTheGroupsOfItsDeck) {

@@ -36,6 +36,13 @@ inline scene::Body shipped(const std::string& name, element::Type element,
   return body_of(std::filesystem::path(IDIOPHONE_SOURCE_DIR) / "meshes" / name, element, parameters);
 }
 
+/// The body where a deck turns and moves it.
+inline scene::Body turned_and_moved(scene::Body body) {
+  body.rotation = {0.3, -1.0, 0.5};
+  body.position = {0.1, 0.2, -3.0};
+  return body;
+}
+
 /// What read_mesh has to say against a body; "" when nothing.
 inline std::string refusal(const scene::Body& body) {
   try {

@@ -10,6 +10,7 @@
 #include "idiophone/solids/mesh/mesh_file.hpp"
 #include "idiophone/solids/mesh/numbered_faces.hpp"
 #include "ordered.hpp"
+#include "placement.hpp"
 #include "spectral_hexahedra.hpp"
 #include "straighten.hpp"
 #include "values_of_views.hpp"
@@ -42,17 +43,7 @@ std::string mass_note(const scene::Body& body, const Mesh& mesh) {
                      body.mesh.filename().string(), *body.file_mass, *body.file_mass / volume);
 }
 
-void put_in_place(const scene::Body& body, Mesh& mesh) {
-  if (body.rotation.isZero(0.0) && body.position.isZero(0.0)) {
-    return;  // the file's own bits
-  }
-  const Eigen::Matrix3d turn = body.turn();
-  for (Vector3& node : mesh.nodes) {
-    node = turn * node + body.position;
-  }
-}
-
-/// What the file has, checked, in its order.
+/// What the file has, checked, in its order and its axes.
 GmshMesh read_file(const scene::Body& body, Answers& known) {
   GmshMesh loaded = load(body, known);
   if (loaded.made_here) {
@@ -61,7 +52,6 @@ GmshMesh read_file(const scene::Body& body, Answers& known) {
   if (loaded.made_here && body.mesh.extension() != ".geo") {
     loaded.mesh.notes.push_back(unit_question(loaded.mesh.nodes));
   }
-  put_in_place(body, loaded.mesh);
   drop_unused_nodes(body, loaded);
   if (element::has_choice_of_orders(body.element) && !loaded.is_stored) {
     loaded = spectral_mesh(body, loaded);
@@ -70,9 +60,10 @@ GmshMesh read_file(const scene::Body& body, Answers& known) {
   return loaded;
 }
 
-/// @param mesh  in order
+/// @param mesh  in order, in the axes of its file: so its numbers do not depend on its place
 Mesh finished(const scene::Body& body, const GmshMesh& loaded, Mesh mesh) {
   std::ranges::remove_copy(loaded.mesh.notes, std::back_inserter(mesh.notes), "");
+  put_in_place(body, mesh.nodes);
   mesh.surface = exterior_triangles(mesh);
   if (const std::string note = mass_note(body, mesh); !note.empty()) {
     mesh.notes.push_back(note);
