@@ -47,9 +47,8 @@ void read_stored_mesh(const File& file) {
 void read_mesh_in_parts(const File& file) {
   scene::Body body;
   body.mesh = file;
-  const mesh::Outlines outlines = mesh::read_outlines({&body, 1}, MPI_COMM_SELF);
-  const std::vector<std::vector<Index>> coupled;
-  static_cast<void>(mesh::read_part({&body, 1}, outlines, coupled, MPI_COMM_SELF));
+  mesh::MeshShares shares = mesh::read_shares({&body, 1}, MPI_COMM_SELF);
+  static_cast<void>(mesh::read_part({&body, 1}, shares, {}, MPI_COMM_SELF));
 }
 
 void read_given_motion(const File& file) {

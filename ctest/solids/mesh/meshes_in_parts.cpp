@@ -5,10 +5,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <array>
+#include <algorithm>
 #include <functional>
-#include <numeric>
+#include <memory>
 
+#include "cube_file.hpp"
 #include "hash.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
@@ -20,41 +21,34 @@
 namespace idiophone::mesh {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
+using ::testing::StartsWith;
 
 const Origin origin_of_parts{.name = "test", .code_version = "0", .deck_text = "name: test\n", .overrides = {}};
 
-/// A plate of tet10 and a bar of tet4, whose meshes are files. Every rank has files of its own.
+/// Bodies whose meshes are files. Every rank has files of its own.
 class MeshesInParts : public ::testing::Test {
  protected:
-  MeshesInParts()
-      : plate_(name("plate")),
-        bar_(name("bar")),
-        originals_{shipped("square_plate.geo", element::tet10, {{"size", 0.05}}), shipped("bar.geo", element::tet4)} {
-    write(0, plate_, [](Mesh&) {});
-    write(1, bar_, [](Mesh&) {});
-  }
-
-  static std::string name(const std::string& body) {
-    return body + std::to_string(parallel::rank_of(MPI_COMM_WORLD)) + ".mesh.h5";
-  }
-
-  void write(std::size_t number, const TemporaryFile& file, const std::function<void(Mesh&)>& change) {
-    StoredMesh stored = storable_mesh(originals_[number]);
-    change(stored.mesh);
+  /// A body whose mesh is a file of the mesh of this one.
+  void add(
+      scene::Body original, const std::function<void(StoredMesh&)>& change = [](StoredMesh&) {}) {
+    StoredMesh stored = storable_mesh(original);
+    change(stored);
     stored.mesh.hash = hash_of(stored.mesh);
-    write_mesh_file(file.path(), stored, origin_of_parts);
-    bodies[number] = originals_[number];
-    bodies[number].mesh = file.path();
-    bodies[number].parameters.clear();
+    const std::string rank = std::to_string(parallel::rank_of(MPI_COMM_WORLD));
+    files_.push_back(std::make_unique<TemporaryFile>(rank + "_" + std::to_string(bodies.size()) + ".mesh.h5"));
+    write_mesh_file(files_.back()->path(), stored, origin_of_parts);
+    original.mesh = files_.back()->path();
+    original.parameters.clear();
+    bodies.push_back(original);
   }
 
-  /// What is said on rank 0 of a bar whose mesh was changed; all ranks have to fail.
-  std::string refusal_after(const std::function<void(Mesh&)>& change) {
-    write(1, bar_, change);
+  /// What is said on rank 0 of these bodies; all ranks have to fail.
+  std::string refusal_in_parts() {
     try {
-      const Outlines outlines = read_outlines(bodies, MPI_COMM_WORLD);
-      static_cast<void>(read_part(bodies, outlines, {}, MPI_COMM_WORLD));
+      MeshShares shares = read_shares(bodies, MPI_COMM_WORLD);
+      static_cast<void>(read_part(bodies, shares, {}, MPI_COMM_WORLD));
     } catch (const deck::DeckError& error) {
       return error.what();
     } catch (const parallel::RemoteFailure& error) {
@@ -63,11 +57,18 @@ class MeshesInParts : public ::testing::Test {
     return "";
   }
 
-  std::array<scene::Body, 2> bodies;
+  /// The same of a bar whose mesh was changed.
+  std::string refusal_after(const std::function<void(Mesh&)>& change) {
+    bodies.clear();
+    add(shipped("square_plate.geo", element::tet10, {{"size", 0.05}}));
+    add(shipped("bar.geo", element::tet4), [&](StoredMesh& stored) { change(stored.mesh); });
+    return refusal_in_parts();
+  }
+
+  std::vector<scene::Body> bodies;
 
  private:
-  TemporaryFile plate_, bar_;
-  std::array<scene::Body, 2> originals_;
+  std::vector<std::unique_ptr<TemporaryFile>> files_;
 };
 
 void expect_same(const Part& found, const Part& wanted) {
@@ -97,35 +98,104 @@ void expect_same(const Part& found, const Part& wanted) {
     EXPECT_EQ(a.element_ids, b.element_ids);
     EXPECT_EQ(a.elements, b.elements);
     EXPECT_EQ(a.owned, b.owned);
+    EXPECT_EQ(a.regions, b.regions);
   }
 }
 
 ON_RANKS(1, 2, 3);
 
-TEST_F(MeshesInParts, AreThoseOfTheWholeMeshWithTheSameOwners) {
+void expect_same(const Statistics& found, const Statistics& wanted) {
+  EXPECT_EQ(found.elements, wanted.elements);
+  EXPECT_EQ(found.smallest_edge, wanted.smallest_edge);
+  EXPECT_EQ(found.largest_edge, wanted.largest_edge);
+  EXPECT_NEAR(found.volume, wanted.volume, 1e-12 * wanted.volume);
+  ASSERT_EQ(found.volumes.size(), wanted.volumes.size());
+  for (std::size_t region = 0; region < found.volumes.size(); ++region) {
+    EXPECT_NEAR(found.volumes[region], wanted.volumes[region], 1e-12 * wanted.volume);
+  }
+  EXPECT_TRUE(found.cells.isApprox(wanted.cells, 1e-12));
+  EXPECT_EQ(found.worst_quality, wanted.worst_quality);
+  EXPECT_EQ(found.surface_area, wanted.surface_area);
+}
+
+/// What the rank has read, and what the whole meshes give it with the same owners.
+void expect_parts_of_whole_meshes(std::span<const scene::Body> bodies) {
   const std::vector<Mesh> whole = read_meshes(bodies);
-  const std::vector<std::vector<Index>> coupled = {{0, 5, offsets(whole).nodes[2] - 1}};
-  const Outlines outlines = read_outlines(bodies, MPI_COMM_WORLD);
-  const ReadPart read = read_part(bodies, outlines, coupled, MPI_COMM_WORLD);
+  const std::vector<std::vector<Index>> coupled = {{0, 5, offsets(whole).nodes.back() - 1}};
+  MeshShares shares = read_shares(bodies, MPI_COMM_WORLD);
+  const ReadPart read = read_part(bodies, shares, coupled, MPI_COMM_WORLD);
   std::vector<int> owners(read.part.global_nodes);
   for (Index node = 0; node < read.part.owned_nodes; ++node) {
     owners[read.part.node_ids[node]] = parallel::rank_of(MPI_COMM_WORLD);
   }
   MPI_Allreduce(MPI_IN_PLACE, owners.data(), static_cast<int>(owners.size()), MPI_INT, MPI_MAX, MPI_COMM_WORLD);
   expect_same(read.part, PartBuilder(whole, owners, coupled).build(parallel::rank_of(MPI_COMM_WORLD)));
-  ASSERT_EQ(read.statistics.size(), parallel::is_root(MPI_COMM_WORLD) ? 2U : 0U);
+  ASSERT_EQ(read.statistics.size(), parallel::is_root(MPI_COMM_WORLD) ? bodies.size() : 0U);
   for (std::size_t body = 0; body < read.statistics.size(); ++body) {
-    const Statistics &found = read.statistics[body], wanted = statistics(whole[body]);
-    EXPECT_EQ(found.elements, wanted.elements);
-    EXPECT_EQ(found.smallest_edge, wanted.smallest_edge);
-    EXPECT_EQ(found.largest_edge, wanted.largest_edge);
-    EXPECT_NEAR(found.volume, wanted.volume, 1e-12 * wanted.volume);
-    EXPECT_TRUE(found.cells.isApprox(wanted.cells, 1e-12));
-    EXPECT_EQ(found.worst_quality, wanted.worst_quality);
-    EXPECT_EQ(found.surface_area, wanted.surface_area);
-    EXPECT_EQ(outlines.meshes[body].groups, whole[body].groups);
-    EXPECT_EQ(outlines.meshes[body].hash, whole[body].hash);
+    expect_same(read.statistics[body], statistics(whole[body]));
+    EXPECT_EQ(shares.outlines[body].groups, whole[body].groups);
+    EXPECT_EQ(shares.outlines[body].hash, whole[body].hash);
   }
+}
+
+TEST_F(MeshesInParts, AreThoseOfTheWholeMeshes) {
+  add(shipped("square_plate.geo", element::tet10, {{"size", 0.05}}));
+  add(turned_and_moved(shipped("bar.geo", element::tet4)));
+  expect_parts_of_whole_meshes(bodies);
+}
+
+TEST_F(MeshesInParts, HaveSeveralMaterials) {
+  const TemporaryFile boxes("boxes" + std::to_string(parallel::rank_of(MPI_COMM_WORLD)) + ".geo", two_boxes);
+  add(turned_and_moved(with_groups(boxes, element::tet10, {"head", "core"})));
+  add(with_groups(boxes, element::tet4, {"both"}));
+  add(with_groups(boxes, element::tet4, {"core", "head"}));
+  expect_parts_of_whole_meshes(bodies);
+}
+
+TEST_F(MeshesInParts, AreOfHexahedra) {
+  const TemporaryFile sheets("sheets" + std::to_string(parallel::rank_of(MPI_COMM_WORLD)) + ".geo", two_rectangles);
+  scene::Body wall = with_groups(sheets, element::hex(3, 2), {"right", "left"});
+  wall.thickness = 0.005;
+  add(wall);
+  bodies.back().thickness.reset();
+  add(turned_and_moved(shipped("square_plate.geo", element::hex(4, 2), {{"size", 0.1}})));
+  expect_parts_of_whole_meshes(bodies);
+}
+
+TEST_F(MeshesInParts, HaveTheGroupsThatTheirDecksDescribe) {
+  const TemporaryFile cube("cube" + std::to_string(parallel::rank_of(MPI_COMM_WORLD)) + ".brep", cube_file(".brep"));
+  scene::Body body = body_of(cube.path(), element::tet4, {{"size", 0.5}});
+  body.fixed.emplace_back().group = "normal 0 0 -1";
+  add(body);
+  expect_parts_of_whole_meshes(bodies);
+}
+
+TEST_F(MeshesInParts, NeedAMaterialForEachElement) {
+  const TemporaryFile boxes("boxes" + std::to_string(parallel::rank_of(MPI_COMM_WORLD)) + ".geo", two_boxes);
+  const auto refusal_of = [&](const std::vector<std::string>& groups, const auto& change) {
+    bodies.clear();
+    add(with_groups(boxes, element::tet4, {"core", "head"}), change);
+    bodies.back().regions = with_groups(boxes, element::tet4, groups).regions;
+    return refusal_in_parts();
+  };
+  const auto leave = [](StoredMesh&) {};
+  EXPECT_EQ(refusal_of({"core", "head"}, leave), "");
+  EXPECT_THAT(
+      refusal_of({"core", "tail"}, leave),
+      AllOf(StartsWith("deck.yaml:11:5: "), HasSubstr("no physical group 'tail'"), HasSubstr("both, core, head")));
+  EXPECT_THAT(refusal_of({"core", "both"}, leave),
+              AllOf(StartsWith("deck.yaml:11:5: "), HasSubstr("is in both groups 'core' and 'both'")));
+  const std::string missing = refusal_of({"head"}, leave);
+  EXPECT_THAT(missing,
+              AllOf(StartsWith("deck.yaml:10:5: "), HasSubstr("are in none of these groups, such as element")));
+  const StoredMesh stored = read_mesh_file(bodies.back().mesh);
+  EXPECT_THAT(missing,
+              HasSubstr(std::to_string(stored.element_groups.at("core").size()) + " elements of the mesh are"));
+  EXPECT_THAT(
+      refusal_of({"core", "head"}, [](StoredMesh& mesh) { std::ranges::reverse(mesh.element_groups.at("head")); }),
+      HasSubstr("/element_groups has the list 'head', which does not ascend"));
+  EXPECT_THAT(refusal_of({"core", "head"}, [](StoredMesh& mesh) { mesh.element_groups.at("head").push_back(1 << 20); }),
+              HasSubstr("/element_groups has the number 1048576"));
 }
 
 TEST_F(MeshesInParts, AreCheckedAsWholeMeshes) {

@@ -141,15 +141,14 @@ Preparation prepare(scene::Scene scene, MPI_Comm communicator) {
   }
   Preparation ready;
   ready.scene = std::move(scene);
-  const mesh::Outlines outlines = mesh::read_outlines(ready.scene.bodies, communicator);
-  ready.offsets = outlines.offsets;
+  mesh::MeshShares shares = mesh::read_shares(ready.scene.bodies, communicator);
+  ready.offsets = shares.offsets;
   const auto distribute = [&](Preparation& to) {
-    mesh::ReadPart read =
-        mesh::read_part(to.scene.bodies, outlines, motion::coupled_nodes(to.attachments), communicator);
+    mesh::ReadPart read = mesh::read_part(to.scene.bodies, shares, motion::coupled_nodes(to.attachments), communicator);
     to.part = std::move(read.part);
     to.statistics = std::move(read.statistics);
   };
-  return complete(std::move(ready), outlines.meshes, distribute, communicator);
+  return complete(std::move(ready), shares.outlines, distribute, communicator);
 }
 
 Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& whole, MPI_Comm communicator) {

@@ -3,6 +3,7 @@
 
 #include <limits>
 #include <span>
+#include <vector>
 
 #include "idiophone/solids/mesh/statistics.hpp"
 
@@ -37,6 +38,11 @@ struct ElementMeasures {
 /// @param counted  [elements] 1 for those that count; empty: all
 [[nodiscard]] ElementMeasures measures_of(const Mesh& mesh, const Eigen::Matrix3d& axes,
                                           std::span<const char> counted = {});
+
+/// [regions] Volumes of the material regions, m3.
+/// @param counted  [elements] 1 for those that count; empty: all
+[[nodiscard]] std::vector<double> region_volumes(const Mesh& mesh, std::size_t regions,
+                                                 std::span<const char> counted = {});
 
 /// Without the volumes of regions.
 /// @param outline  of the mesh, which may lack its elements

@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "checks.hpp"
+#include "element_reader.hpp"
+#include "hash_of_rows.hpp"
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/solids/mesh/numbered_faces.hpp"
@@ -12,11 +14,13 @@
 #include "mesh_file_paths.hpp"
 #include "mesh_table_reader.hpp"
 #include "part_reader.hpp"
+#include "placement.hpp"
 
 namespace idiophone::mesh {
 
 namespace {
 
+/// In the axes of the file.
 /// @throws deck::DeckError as read_meshes()
 Mesh read_outline(const scene::Body& body) {
   GmshMesh loaded;
@@ -27,52 +31,70 @@ Mesh read_outline(const scene::Body& body) {
   loaded.node_tags.resize(loaded.mesh.nodes.size());
   std::iota(loaded.node_tags.begin(), loaded.node_tags.end(), std::size_t{0});
   check_nodes(body, loaded);
-  add_described_groups(loaded.mesh, body);
   return std::move(loaded.mesh);
 }
 
 Index element_count(const scene::Body& body) {
-  return MeshTables(body.mesh).rows(mesh_file::elements, element::node_count(body.element));
+  const std::optional<Index> count = stored_elements(body);
+  if (!count) {
+    throw deck::DeckError(body.mesh_where, unreadable(body, "its elements can't be read"));
+  }
+  return *count;
+}
+
+/// From the file to the scene. Collective.
+/// @param outline        on rank 0
+/// @param rows           this rank's
+/// @param element_count  of the body
+void put_in_scene(const scene::Body& body, Mesh& outline, const ElementRows& rows, Index element_count,
+                  MPI_Comm communicator) {
+  parallel::on_root(communicator, [&] { put_in_place(body, outline.nodes); });
+  if (is_moved(body) || !rows.region_counts.empty()) {
+    outline.hash = hash_of_rows(outline, rows, element_count, communicator);
+  }
+  parallel::on_root(communicator, [&] { add_described_groups(outline, body); });
 }
 
 }  // namespace
 
 bool fits_parts(const scene::Body& body) {
-  return is_mesh_file(body.mesh) && !element::has_choice_of_orders(body.element) && body.regions.empty() &&
-         body.rotation.isZero(0.0) && body.position.isZero(0.0);
+  return is_mesh_file(body.mesh);
 }
 
 std::optional<Index> stored_elements(const scene::Body& body) {
   try {
-    return element_count(body);
+    return MeshTables(body.mesh).rows(mesh_file::elements, element::node_count(body.element));
   } catch (const std::runtime_error&) {
     return std::nullopt;
   }
 }
 
-Outlines read_outlines(std::span<const scene::Body> bodies, MPI_Comm communicator) {
-  Outlines outlines;
+MeshShares read_shares(std::span<const scene::Body> bodies, MPI_Comm communicator) {
+  MeshShares shares;
+  auto& [outlines, offsets, rows] = shares;
   parallel::on_root(communicator, [&] {
-    std::transform(bodies.begin(), bodies.end(), std::back_inserter(outlines.meshes), read_outline);
+    std::ranges::transform(bodies, std::back_inserter(outlines), read_outline);
     std::vector<Index> elements;
-    std::transform(bodies.begin(), bodies.end(), std::back_inserter(elements), [](const scene::Body& body) {
-      const std::optional<Index> count = stored_elements(body);
-      if (!count) {
-        throw deck::DeckError(body.mesh_where, unreadable(body, "its elements can't be read"));
-      }
-      return *count;
-    });
-    outlines.offsets = offsets_of(outlines.meshes, elements);
+    std::ranges::transform(bodies, std::back_inserter(elements), element_count);
+    offsets = offsets_of(outlines, elements);
   });
-  for (auto* numbers : {&outlines.offsets.nodes, &outlines.offsets.elements, &outlines.offsets.triangles}) {
+  for (auto* numbers : {&offsets.nodes, &offsets.elements, &offsets.triangles}) {
     parallel::broadcast(*numbers, communicator);
   }
-  return outlines;
+  for (std::size_t body = 0; body < bodies.size(); ++body) {
+    Mesh none;
+    Mesh& outline = outlines.empty() ? none : outlines[body];
+    const Index elements = offsets.elements[body + 1] - offsets.elements[body];
+    rows.push_back(read_element_rows(bodies[body], outline, elements, offsets.nodes[body + 1] - offsets.nodes[body],
+                                     communicator));
+    put_in_scene(bodies[body], outline, rows.back(), elements, communicator);
+  }
+  return shares;
 }
 
-ReadPart read_part(std::span<const scene::Body> bodies, const Outlines& outlines,
-                   std::span<const std::vector<Index>> coupled, MPI_Comm communicator) {
-  return PartReader(bodies, outlines, coupled, communicator).read();
+ReadPart read_part(std::span<const scene::Body> bodies, MeshShares& meshes, std::span<const std::vector<Index>> coupled,
+                   MPI_Comm communicator) {
+  return PartReader(bodies, meshes, coupled, communicator).read();
 }
 
 }  // namespace idiophone::mesh

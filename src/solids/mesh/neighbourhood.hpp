@@ -6,19 +6,26 @@
 #include <string>
 #include <vector>
 
-#include "element_reader.hpp"
 #include "gmsh_mesh.hpp"
+#include "idiophone/solids/mesh/meshes_in_parts.hpp"
 
 namespace idiophone::mesh {
 
-/// The elements of a body that this rank computes: those that touch a node it owns. Collective.
+/// The elements of a body that a rank computes: those that touch a node it owns.
+struct Neighbourhood {
+  /// Elements in the order of the scene, with regions. Tags are numbers in the file.
+  GmshMesh loaded;
+  std::vector<Index> numbers;  ///< [elements] in the body, region by region, ascending
+};
+
+/// Collective.
 /// @param rows        this rank's range, which it gives away
 /// @param body        whose elements they are
 /// @param first_node  global number of the body's first node
 /// @param first       [ranks + 1] first node of each rank, global
-/// @return with tags, the numbers in the body from 0; the elements have such numbers of nodes, and there are no nodes
-[[nodiscard]] GmshMesh elements_around(ElementRows rows, const scene::Body& body, Index first_node,
-                                       const std::vector<Index>& first, MPI_Comm communicator);
+/// @return with elements that have numbers of nodes in the body, and without nodes
+[[nodiscard]] Neighbourhood elements_around(ElementRows rows, const scene::Body& body, Index first_node,
+                                            const std::vector<Index>& first, MPI_Comm communicator);
 
 /// Gives the mesh its nodes' tags, ascending, and makes the elements refer to them by their places.
 /// @param begin, end  the nodes that this rank owns, as numbers in the body

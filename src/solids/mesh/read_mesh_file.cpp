@@ -9,6 +9,7 @@
 #include "idiophone/files/reading.hpp"
 #include "idiophone/foundation/place_text.hpp"
 #include "idiophone/solids/mesh/mesh_file.hpp"
+#include "list_outline.hpp"
 #include "mesh_file_paths.hpp"
 #include "mesh_outline.hpp"
 #include "mesh_table_reader.hpp"
@@ -103,19 +104,11 @@ class MeshReader {
 
   template <class Item>
   std::map<std::string, std::vector<Item>> read_lists(const std::string& group, int width) {
-    const auto names = hdf5::texts_in(tables_.file(), group + mesh_file::names);
-    const auto begins = tables_.read<Index, Index>(group + mesh_file::begins, 1);
+    const auto [names, begins] = read_list_outline(tables_, group, width);
     const auto members = tables_.read<Index, Item>(group + mesh_file::members, width);
-    if (begins.size() != names.size() + 1 || begins.front() != 0 || !std::ranges::is_sorted(begins) ||
-        std::cmp_not_equal(begins.back(), members.size())) {
-      refuse_table(group, "has lists that do not fit their names");
-    }
     std::map<std::string, std::vector<Item>> lists;
     for (std::size_t i = 0; i < names.size(); ++i) {
       lists[names[i]].assign(members.begin() + begins[i], members.begin() + begins[i + 1]);
-    }
-    if (lists.size() != names.size()) {
-      refuse_table(group, "has two lists of one name");
     }
     return lists;
   }

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <unordered_map>
+#include <numeric>
 
 #include "checks.hpp"
 #include "idiophone/foundation/deck/location.hpp"
@@ -26,58 +26,70 @@ constexpr Index no_region = -1;
                       : fmt::format("it has: {}", listed_names(loaded.element_groups))));
 }
 
-/// Places of the elements of a region's group.
-std::vector<Index> elements_of(const scene::Body& body, const scene::MaterialRegion& region, const GmshMesh& loaded,
-                               const std::unordered_map<std::size_t, Index>& place_of_tag) {
-  const auto group = loaded.element_groups.find(region.name);
-  std::vector<Index> elements;
-  if (group != loaded.element_groups.end()) {
-    for (const std::size_t tag : group->second) {
-      if (const auto found = place_of_tag.find(tag); found != place_of_tag.end()) {
-        elements.push_back(found->second);
-      }
-    }
-  }
-  if (elements.empty()) {
-    refuse_group(body, region, loaded);
-  }
-  return elements;
+std::string text_of(const GmshMesh& loaded, Index element) {
+  return loaded.mesh.nodes.empty() ? fmt::format("element {}", loaded.element_tags[element])
+                                   : element_text(loaded, element);
 }
 
-void refuse_elements_without_material(const scene::Body& body, const GmshMesh& loaded,
-                                      const std::vector<Index>& regions) {
+}  // namespace
+
+std::vector<Index> found_regions(const scene::Body& body, const GmshMesh& loaded) {
+  const auto tag_of = [&](Index element) { return loaded.element_tags[element]; };
+  std::vector<Index> by_tag(loaded.element_tags.size());
+  std::iota(by_tag.begin(), by_tag.end(), 0);
+  std::ranges::sort(by_tag, {}, tag_of);
+  std::vector<Index> regions(loaded.element_tags.size(), no_region);
+  for (Index number = 0; number < std::ssize(body.regions); ++number) {
+    const scene::MaterialRegion& region = body.regions[number];
+    const auto group = loaded.element_groups.find(region.name);
+    if (group == loaded.element_groups.end()) {
+      continue;
+    }
+    for (const std::size_t tag : group->second) {
+      const auto found = std::ranges::lower_bound(by_tag, tag, {}, tag_of);
+      if (found == by_tag.end() || tag_of(*found) != tag) {
+        continue;  // an element of a surface
+      }
+      Index& its = regions[*found];
+      if (its != no_region && its != number) {
+        throw deck::DeckError(region.where,
+                              fmt::format("bodies.{}.materials: {} is in both groups '{}' and '{}', so it would have "
+                                          "two materials",
+                                          body.name, text_of(loaded, *found), body.regions[its].name, region.name));
+      }
+      its = number;
+    }
+  }
+  return regions;
+}
+
+std::vector<Index> region_counts(const scene::Body& body, std::span<const Index> regions) {
+  std::vector<Index> counts(body.regions.size() + 1);
+  for (const Index region : regions) {
+    ++counts[region == no_region ? body.regions.size() : static_cast<std::size_t>(region)];
+  }
+  return counts;
+}
+
+void require_regions(const scene::Body& body, const GmshMesh& loaded, std::span<const Index> regions,
+                     std::span<const Index> counts) {
+  for (std::size_t number = 0; number < body.regions.size(); ++number) {
+    if (counts[number] == 0) {
+      refuse_group(body, body.regions[number], loaded);
+    }
+  }
   const auto first = std::ranges::find(regions, no_region);
   if (first != regions.end()) {
     throw deck::DeckError(
         body.regions.front().where,
         fmt::format("bodies.{}.materials: {} elements of the mesh are in none of these groups, such as {}", body.name,
-                    std::ranges::count(regions, no_region),
-                    element_text(loaded, static_cast<Index>(first - regions.begin()))));
+                    counts.back(), text_of(loaded, static_cast<Index>(first - regions.begin()))));
   }
 }
 
-}  // namespace
-
 std::vector<Index> regions_by_group(const scene::Body& body, const GmshMesh& loaded) {
-  std::unordered_map<std::size_t, Index> place_of_tag;
-  for (std::size_t element = 0; element < loaded.element_tags.size(); ++element) {
-    place_of_tag.emplace(loaded.element_tags[element], static_cast<Index>(element));
-  }
-  std::vector<Index> regions(loaded.element_tags.size(), no_region);
-  for (Index number = 0; number < std::ssize(body.regions); ++number) {
-    const scene::MaterialRegion& region = body.regions[number];
-    for (const Index element : elements_of(body, region, loaded, place_of_tag)) {
-      if (regions[element] != no_region && regions[element] != number) {
-        throw deck::DeckError(
-            region.where,
-            fmt::format("bodies.{}.materials: {} is in both groups '{}' and '{}', so it would have "
-                        "two materials",
-                        body.name, element_text(loaded, element), body.regions[regions[element]].name, region.name));
-      }
-      regions[element] = number;
-    }
-  }
-  refuse_elements_without_material(body, loaded, regions);
+  std::vector<Index> regions = found_regions(body, loaded);
+  require_regions(body, loaded, regions, region_counts(body, regions));
   return regions;
 }
 

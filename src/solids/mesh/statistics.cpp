@@ -28,18 +28,6 @@ Vector3 upward(const Vector3& axis) {
   return axis[largest] < 0 ? Vector3(-axis) : axis;
 }
 
-/// [regions] m3; empty where there is one material
-std::vector<double> region_volumes(const Mesh& mesh) {
-  std::vector<double> volumes;
-  if (!mesh.regions.empty()) {
-    volumes.resize(static_cast<std::size_t>(mesh.regions.back()) + 1);
-    for (Index number = 0; number < mesh.element_count(); ++number) {
-      volumes[mesh.regions[number]] += volume_of(shape_of(mesh, number));
-    }
-  }
-  return volumes;
-}
-
 Vector3 mean_edges(const ElementMeasures& measures, const Vector3& extents) {
   const auto counts = measures.edge_counts.array();
   return (counts > 0).select(measures.edge_sums.array() / counts.max(1.0), extents.array());
@@ -79,10 +67,21 @@ Statistics statistics(const Mesh& outline, const Box& box, const ElementMeasures
   return result;
 }
 
+std::vector<double> region_volumes(const Mesh& mesh, std::size_t regions, std::span<const char> counted) {
+  std::vector<double> volumes(regions);
+  for (std::size_t number = 0; number < mesh.regions.size(); ++number) {
+    if (counted.empty() || counted[number] != 0) {
+      volumes[mesh.regions[number]] += volume_of(shape_of(mesh, static_cast<Index>(number)));
+    }
+  }
+  return volumes;
+}
+
 Statistics statistics(const Mesh& mesh) {
   const Box box = box_of(mesh);
   Statistics result = statistics(mesh, box, measures_of(mesh, box.axes));
-  result.volumes = region_volumes(mesh);
+  const Index regions = mesh.regions.empty() ? 0 : mesh.regions.back() + 1;
+  result.volumes = region_volumes(mesh, static_cast<std::size_t>(regions));
   return result;
 }
 

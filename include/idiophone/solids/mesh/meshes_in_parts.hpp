@@ -16,35 +16,47 @@
 
 namespace idiophone::mesh {
 
-/// Whether a body's mesh can be read in parts: it is a mesh file, which keeps its numbers in the scene as it has one
-/// material and the place of its file; and its elements are tetrahedra, of which nothing but the ghosts need others.
+/// Whether a body's mesh can be read in parts: it is a mesh file.
 [[nodiscard]] bool fits_parts(const scene::Body& body);
 
 /// Elements of a mesh file; none where it can't be read.
 [[nodiscard]] std::optional<Index> stored_elements(const scene::Body& body);
 
-/// What is known without elements.
-struct Outlines {
-  std::vector<Mesh> meshes;  ///< on rank 0, of all bodies, without elements; empty elsewhere
-  Offsets offsets;           ///< on all ranks
+/// Elements of a body with numbers one after another in its file.
+struct ElementRows {
+  Index begin = 0;             ///< number of the first one
+  std::vector<Index> nodes;    ///< [nodes per element x elements] numbers in the body
+  std::vector<Index> regions;  ///< [elements] as Mesh::regions, but in the order of the file
+  std::vector<Index>
+      region_counts;  ///< [regions] elements of each, over all ranks; empty where the body has one material
 };
 
+/// What a rank has read before the parts are known.
+struct MeshShares {
+  std::vector<Mesh> outlines;     ///< on rank 0, of all bodies, in their places, without elements; empty elsewhere
+  Offsets offsets;                ///< on all ranks
+  std::vector<ElementRows> rows;  ///< [bodies] that this rank has read
+};
+
+/// Reads all of the meshes but the nodes and the surface, which only rank 0 has yet, and compares it with the hashes.
 /// Collective.
 /// @param bodies  that fit_parts()
 /// @throws deck::DeckError on rank 0, as read_meshes(), and parallel::RemoteFailure elsewhere
-[[nodiscard]] Outlines read_outlines(std::span<const scene::Body> bodies, MPI_Comm communicator);
+[[nodiscard]] MeshShares read_shares(std::span<const scene::Body> bodies, MPI_Comm communicator);
 
 struct ReadPart {
   Part part;                           ///< of this rank
   std::vector<Statistics> statistics;  ///< [bodies], on rank 0. Sums over elements depend on the ranks by rounding
 };
 
-/// Reads the elements, checks them as read_meshes() does, and makes the parts. Collective.
-/// @param outlines  of the bodies
-/// @param coupled   as distribute() takes them, but on all ranks
-/// @throws deck::DeckError on rank 0, and parallel::RemoteFailure elsewhere, for a file that can't be read, is damaged,
-///         or has unfit elements; std::runtime_error, on every rank, where there are too many ranks
-[[nodiscard]] ReadPart read_part(std::span<const scene::Body> bodies, const Outlines& outlines,
+/// Gives the elements to the ranks that compute them, checks them as read_meshes() does, and makes the parts.
+/// Collective.
+/// @param meshes   of the bodies; their rows are used up
+/// @param coupled  as distribute() takes them, but on all ranks
+/// @throws deck::DeckError on rank 0, and parallel::RemoteFailure elsewhere, for a file that can't be read, or has
+/// unfit
+///         elements; std::runtime_error, on every rank, where there are too many ranks
+[[nodiscard]] ReadPart read_part(std::span<const scene::Body> bodies, MeshShares& meshes,
                                  std::span<const std::vector<Index>> coupled, MPI_Comm communicator);
 
 }  // namespace idiophone::mesh

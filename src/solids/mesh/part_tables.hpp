@@ -1,0 +1,23 @@
+#pragma once
+// The rows of a mesh file that one rank needs.
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "idiophone/solids/mesh/mesh.hpp"
+
+namespace idiophone::mesh {
+
+/// Places of nodes, m, in the axes of the file. Reads across small gaps.
+/// @param numbers  ascending
+/// @throws std::runtime_error if they can't be read
+[[nodiscard]] std::vector<Vector3> read_nodes(const scene::Body& body, std::span<const std::size_t> numbers);
+
+/// The triangles of the surface from `begin` to before `end`, as places of their nodes in a list.
+/// @param numbers  of the nodes in the list, ascending
+/// @throws std::runtime_error if they can't be read, or one has another node
+[[nodiscard]] std::vector<Triangle> read_triangles(const scene::Body& body, Index begin, Index end,
+                                                   std::span<const std::size_t> numbers);
+
+}  // namespace idiophone::mesh
