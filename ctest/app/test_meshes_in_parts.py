@@ -11,41 +11,64 @@ PARTS = {"PETSC_OPTIONS": "-meshes_in_parts yes"}
 SAYS_SO = "each rank reads its part of the meshes"
 
 
-class MeshesInParts(program.TestCase):
-    def setUp(self):
-        super().setUp()
-        self.deck = self.make_deck()
+class DecksWithMeshFiles(program.TestCase):
+    def mesh(self, name, body):
+        """A mesh file of a body of a deck."""
+        path = self.output / f"{body}.mesh.h5"
+        self.require_status(program.idiophone("mesh", program.deck(name), "--body", body, "-o", path), program.FINISHED)
+        return path
 
-    def make_deck(self):
+    def rich_deck(self):
         """The rich deck with mesh files, without its pluck: a static equilibrium needs whole bodies."""
         lines = [line for line in program.deck("rich").read_text().splitlines() if "type: pluck" not in line]
         text = "\n".join(line.replace("tap.csv", str(program.deck("rich").parent / "tap.csv")) for line in lines
                          if not line.strip().startswith("parameters:"))
         for body, geometry in ("bar", "bar"), ("ball", "sphere"):
-            path = self.output / f"{body}.mesh.h5"
-            self.require_status(program.idiophone("mesh", program.deck("rich"), "--body", body, "-o", path), program.FINISHED)
-            text = text.replace(f"../../../meshes/{geometry}.geo", str(path))
+            text = text.replace(f"../../../meshes/{geometry}.geo", str(self.mesh("rich", body)))
         path = self.output / "rich.yaml"
         path.write_text(text)
         return path
 
-    def run_deck(self, folder, *arguments, ranks, environment=PARTS):
-        return program.idiophone("run", self.deck, "--output-folder", self.output / folder, *arguments, ranks=ranks,
-                                 environment=environment)
+    def materials_deck(self):
+        """A wall of hexahedra in three layers and a turned mallet of two materials, which do not touch."""
+        text = program.deck("materials").read_text()
+        without_contacts = text[:text.index("contacts:")] + text[text.index("loads:"):]
+        for old, new in (
+                ("square.geo", str(self.mesh("materials", "plate"))), ("mallet.geo", str(self.mesh("materials", "mallet"))),
+                ("layers: [{material: rubber, thickness: 0.004}, {material: foam, thickness: 0.01}, {material: rubber, thickness: 0.006}]",
+                 "materials: {1: rubber, 2: foam, 3: rubber}"),
+                ("position: [-0.07, 0, 0.0302]", "position: [-0.07, 0, 0.2]\n    rotation: {axis: [1, 2, 3], degrees: 40}\n"
+                                                 "    spin: [0, 30, 5]")):
+            self.assertIn(old, without_contacts)
+            without_contacts = without_contacts.replace(old, new)
+        path = self.output / "materials.yaml"
+        path.write_text(without_contacts)
+        return path
 
-    def test_any_number_of_ranks_and_jobs_gives_the_bits_of_whole_meshes(self):
-        whole = self.run_deck("whole", ranks=1, environment={})
+    def run_deck(self, deck, folder, *arguments, ranks, environment=PARTS):
+        return program.idiophone("run", deck, "--output-folder", self.output / folder, *arguments, ranks=ranks, environment=environment)
+
+
+class MeshesInParts(DecksWithMeshFiles):
+    def require_same_on_any_ranks(self, deck, channel):
+        """@return what the run from whole meshes gives"""
+        whole = self.run_deck(deck, "whole", ranks=1, environment={})
         self.require_status(whole, program.FINISHED)
         self.assertNotIn(SAYS_SO, whole.stdout + whole.stderr)
-        expected = program.contents(self.output / "whole/rich.h5")
-        self.assertGreater(abs(expected["audio/side"]).max(), 0)
+        expected = program.contents(self.output / f"whole/{deck.stem}.h5")
+        self.assertGreater(abs(expected[channel]).max(), 0)
         for ranks in 1, 2, 3:
-            job = self.run_deck(f"parts_{ranks}", ranks=ranks)
+            job = self.run_deck(deck, f"parts_{ranks}", ranks=ranks)
             self.require_status(job, program.FINISHED)
             self.assertIn(SAYS_SO, job.stdout + job.stderr)
-            self.require_same(self.output / f"parts_{ranks}/rich.h5", expected)
+            self.require_same(self.output / f"parts_{ranks}/{deck.stem}.h5", expected)
+        return expected
+
+    def test_any_number_of_ranks_and_jobs_gives_the_bits_of_whole_meshes(self):
+        deck = self.rich_deck()
+        expected = self.require_same_on_any_ranks(deck, "audio/side")
         for number, ranks in enumerate(itertools.cycle((3, 1, 2)), start=1):  # the last job but one has whole meshes
-            job = self.run_deck("jobs", "--set", "time.wall_clock_limit=1e-6", "--resume", ranks=ranks,
+            job = self.run_deck(deck, "jobs", "--set", "time.wall_clock_limit=1e-6", "--resume", ranks=ranks,
                                 environment={} if number == 3 else PARTS)
             if job.returncode == program.FINISHED:
                 break
@@ -53,40 +76,62 @@ class MeshesInParts(program.TestCase):
         self.assertGreater(number, 3)
         self.require_same(self.output / "jobs/rich.h5", expected)
 
-    def require_refused(self, why):
+    def test_materials_hexahedra_and_places_give_the_bits_of_whole_meshes(self):
+        self.require_same_on_any_ranks(self.materials_deck(), "audio/ear")
+
+
+class FaultsOfMeshesInParts(DecksWithMeshFiles):
+    def change(self, path, dataset, change, *, checksum=True):
+        with h5py.File(path, "r+") as file:
+            rows = file[dataset][()]
+            change(rows)
+            file[dataset][...] = rows
+            if checksum:
+                file[dataset].attrs.modify("crc32", zlib.crc32(rows.tobytes()))
+
+    def require_refused(self, deck, body, why):
         for ranks in 1, 3:
-            job = self.run_deck("refused", ranks=ranks)
+            job = self.run_deck(deck, "refused", ranks=ranks)
             self.assertEqual(job.returncode, program.WRONG_DECK, job.stderr)
-            self.assertRegex(job.stderr, r"rich.yaml:\d+:\d+: the mesh of body 'ball'.*ball\.mesh\.h5")
+            self.assertRegex(job.stderr, rf"{deck.name}:\d+:\d+: the mesh of body '{body}'.*{body}\.mesh\.h5")
             self.assertIn(why, job.stderr)
 
-    def change(self, change, *, checksum):
-        """Changes the elements of the ball."""
-        with h5py.File(self.output / "ball.mesh.h5", "r+") as file:
-            elements = file["elements"]
-            rows = elements[()]
-            change(rows)
-            elements[...] = rows
-            if checksum:
-                elements.attrs.modify("crc32", zlib.crc32(rows.tobytes()))
+    def test_damaged_and_changed_elements_are_refused_by_all_ranks(self):
+        deck = self.rich_deck()
+        path = self.output / "ball.mesh.h5"
+        content = path.read_bytes()
 
-    def test_a_damaged_file_is_refused_by_all_ranks(self):
-        def damage(rows):
+        def flip(rows):
             rows[-1, 0] ^= 1
-        self.change(damage, checksum=False)
-        self.require_refused("/elements does not match its checksum: the file is damaged")
 
-    def test_a_changed_file_is_refused_by_all_ranks(self):
         def exchange(rows):
             rows[[-1, -2]] = rows[[-2, -1]]
-        self.change(exchange, checksum=True)
-        self.require_refused("the file was changed")
 
-    def test_elements_of_nodes_that_there_are_not_are_refused_by_all_ranks(self):
         def spoil(rows):
             rows[-1, 0] = -5
-        self.change(spoil, checksum=True)
-        self.require_refused("/elements has the number -5")
+
+        for change, checksum, why in ((flip, False, "/elements does not match its checksum: the file is damaged"),
+                                      (exchange, True, "the file was changed"), (spoil, True, "/elements has the number -5")):
+            path.write_bytes(content)
+            self.change(path, "elements", change, checksum=checksum)
+            self.require_refused(deck, "ball", why)
+
+    def test_damaged_and_changed_groups_of_elements_are_refused_by_all_ranks(self):
+        deck = self.materials_deck()
+        path = self.output / "mallet.mesh.h5"
+        content = path.read_bytes()
+
+        def flip(rows):
+            rows[-1, 0] ^= 1
+
+        def exchange(rows):
+            rows[[-1, -2]] = rows[[-2, -1]]
+
+        for change, checksum, why in ((flip, False, "/element_groups/members does not match its checksum: the file is damaged"),
+                                      (exchange, True, "/element_groups has the list 'stick', which does not ascend")):
+            path.write_bytes(content)
+            self.change(path, "element_groups/members", change, checksum=checksum)
+            self.require_refused(deck, "mallet", why)
 
 
 if __name__ == "__main__":
