@@ -1,7 +1,12 @@
 #pragma once
 // What the program reads of HDF5 files, for mutants and for tools/fuzz.
 
+#include <mpi.h>
+
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "idiophone/run/results/frame_reader.hpp"
 #include "idiophone/run/results/mode_reader.hpp"
@@ -9,7 +14,9 @@
 #include "idiophone/run/results/sound_reader.hpp"
 #include "idiophone/run/results/surface_motion_reader.hpp"
 #include "idiophone/run/results/verification.hpp"
+#include "idiophone/solids/mesh/meshes_in_parts.hpp"
 #include "idiophone/study/contents/describe.hpp"
+#include "mesh_outline.hpp"
 
 namespace idiophone::mutants {
 
@@ -55,6 +62,24 @@ inline void read_recording(const std::filesystem::path& file) {
     static_cast<void>(reader.read_pressure(row, 1, 0, reader.triangles()));
     static_cast<void>(reader.read_position(row, 1, 0, reader.vertices()));
   }
+}
+
+/// As ranks read large meshes, of a turned body.
+/// @param groups  of elements, with a material for each
+inline void read_mesh_in_parts(const std::filesystem::path& file, const std::vector<std::string>& groups) {
+  scene::Body body;
+  body.name = "plate";
+  body.mesh = file;
+  body.element = mesh::read_mesh_outline(file).mesh.element;
+  body.rotation = {0.1, 0.2, 0.3};
+  body.regions.resize(groups.size());
+  std::ranges::transform(groups, body.regions.begin(), [](const std::string& group) {
+    scene::MaterialRegion region;
+    region.name = group;
+    return region;
+  });
+  mesh::MeshShares shares = mesh::read_shares({&body, 1}, MPI_COMM_WORLD);
+  static_cast<void>(mesh::read_part({&body, 1}, shares, {}, MPI_COMM_WORLD));
 }
 
 }  // namespace idiophone::mutants

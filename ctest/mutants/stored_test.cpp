@@ -199,6 +199,7 @@ TEST_F(Stored, Mesh) {
     body.element = element::tet4;
     static_cast<void>(mesh::read_mesh(body));
   });
+  expect_stored("mesh_in_parts", file, [](const File& mutant) { read_mesh_in_parts(mutant, {"lower", "upper"}); });
   expect_stored("mesh_info", file, describe);
 }
 

@@ -9,7 +9,6 @@
 #include "idiophone/instruments/sound_maps/sound_map_file.hpp"
 #include "idiophone/run/results/checkpoint.hpp"
 #include "idiophone/solids/mesh/mesh_file.hpp"
-#include "idiophone/solids/mesh/meshes_in_parts.hpp"
 #include "readers.hpp"
 #include "stored_readers.hpp"
 #include "velocity_file.hpp"
@@ -43,12 +42,8 @@ void read_stored_mesh(const File& file) {
   static_cast<void>(mesh::read_mesh_file(file));
 }
 
-/// As ranks read large meshes of tetrahedra.
 void read_mesh_in_parts(const File& file) {
-  scene::Body body;
-  body.mesh = file;
-  mesh::MeshShares shares = mesh::read_shares({&body, 1}, MPI_COMM_SELF);
-  static_cast<void>(mesh::read_part({&body, 1}, shares, {}, MPI_COMM_SELF));
+  mutants::read_mesh_in_parts(file, {"body"});  // of all shipped geometries
 }
 
 void read_given_motion(const File& file) {

@@ -189,8 +189,7 @@ TEST_F(MeshesInParts, NeedAMaterialForEachElement) {
   EXPECT_THAT(missing,
               AllOf(StartsWith("deck.yaml:10:5: "), HasSubstr("are in none of these groups, such as element")));
   const StoredMesh stored = read_mesh_file(bodies.back().mesh);
-  EXPECT_THAT(missing,
-              HasSubstr(std::to_string(stored.element_groups.at("core").size()) + " elements of the mesh are"));
+  EXPECT_THAT(missing, HasSubstr(std::to_string(stored.element_groups.at("core").size()) + " elements of "));
   EXPECT_THAT(
       refusal_of({"core", "head"}, [](StoredMesh& mesh) { std::ranges::reverse(mesh.element_groups.at("head")); }),
       HasSubstr("/element_groups has the list 'head', which does not ascend"));

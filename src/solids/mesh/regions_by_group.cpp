@@ -19,8 +19,8 @@ constexpr Index no_region = -1;
   const std::string kind = body.thickness ? "Surface" : "Volume";
   throw deck::DeckError(
       region.where,
-      fmt::format("bodies.{}.materials: the mesh has no physical group '{}' of elements of the body; {}", body.name,
-                  region.name,
+      fmt::format("bodies.{}.materials: {} has no physical group '{}' of elements of the body; {}", body.name,
+                  body.mesh.string(), region.name,
                   loaded.element_groups.empty()
                       ? fmt::format("it has none: define them by Physical {}(\"{}\") in gmsh", kind, region.name)
                       : fmt::format("it has: {}", listed_names(loaded.element_groups))));
@@ -52,10 +52,11 @@ std::vector<Index> found_regions(const scene::Body& body, const GmshMesh& loaded
       }
       Index& its = regions[*found];
       if (its != no_region && its != number) {
-        throw deck::DeckError(region.where,
-                              fmt::format("bodies.{}.materials: {} is in both groups '{}' and '{}', so it would have "
-                                          "two materials",
-                                          body.name, text_of(loaded, *found), body.regions[its].name, region.name));
+        throw deck::DeckError(
+            region.where,
+            fmt::format("bodies.{}.materials: in {}, {} is in both groups '{}' and '{}', so it would "
+                        "have two materials",
+                        body.name, body.mesh.string(), text_of(loaded, *found), body.regions[its].name, region.name));
       }
       its = number;
     }
@@ -82,8 +83,8 @@ void require_regions(const scene::Body& body, const GmshMesh& loaded, std::span<
   if (first != regions.end()) {
     throw deck::DeckError(
         body.regions.front().where,
-        fmt::format("bodies.{}.materials: {} elements of the mesh are in none of these groups, such as {}", body.name,
-                    counts.back(), text_of(loaded, static_cast<Index>(first - regions.begin()))));
+        fmt::format("bodies.{}.materials: {} elements of {} are in none of these groups, such as {}", body.name,
+                    counts.back(), body.mesh.string(), text_of(loaded, static_cast<Index>(first - regions.begin()))));
   }
 }
 
