@@ -1,6 +1,7 @@
 #!/usr/bin/python3
 """Ranks that read parts of the mesh files give the bits of one rank that reads all of them."""
 import itertools
+import json
 import unittest
 import zlib
 
@@ -78,6 +79,30 @@ class MeshesInParts(DecksWithMeshFiles):
 
     def test_materials_hexahedra_and_places_give_the_bits_of_whole_meshes(self):
         self.require_same_on_any_ranks(self.materials_deck(), "audio/ear")
+
+    def test_check_says_the_same_of_parts(self):
+        deck = self.materials_deck()
+
+        def facts(ranks, environment):
+            job = program.idiophone("check", "--json", deck, ranks=ranks, environment=environment)
+            self.require_status(job, program.FINISHED)
+            self.assertEqual(SAYS_SO in job.stdout + job.stderr, environment is PARTS)
+            return json.loads(job.stdout[job.stdout.index("{"):])["bodies"]
+
+        whole = facts(1, {})
+        for body in whole.values():
+            body.pop("lowest_modes", None)  # need the elements
+        for ranks in 1, 3:
+            in_parts = facts(ranks, PARTS)
+            for name, expected in whole.items():
+                self.assertEqual(sorted(in_parts[name]), sorted(expected))
+                for key, value in expected.items():
+                    if key == "volume":
+                        self.assertAlmostEqual(in_parts[name][key] / value, 1, delta=1e-12)
+                    elif key != "regions":
+                        self.assertEqual(in_parts[name][key], value, key)
+                for number, region in expected["regions"].items():
+                    self.assertAlmostEqual(in_parts[name]["regions"][number]["mass"] / region["mass"], 1, delta=1e-12)
 
 
 class FaultsOfMeshesInParts(DecksWithMeshFiles):

@@ -149,6 +149,17 @@ void list_faces(const CheckOptions& options) {
   });
 }
 
+/// The prediction for other ranks needs whole meshes. Collective.
+bodies::PreparedMeshes prepare(const CheckOptions& options) {
+  scene::Scene scene = bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
+  if (!options.prediction.ranks) {
+    return bodies::prepare_with_meshes(std::move(scene), MPI_COMM_WORLD);
+  }
+  std::vector<mesh::Mesh> meshes = bodies::read_meshes(scene.bodies, MPI_COMM_WORLD);
+  bodies::Preparation ready = bodies::prepare(std::move(scene), meshes, MPI_COMM_WORLD);
+  return {std::move(ready), std::move(meshes)};
+}
+
 int check(const CheckOptions& options) {
   if (options.style == Style::deck) {
     parallel::on_root(MPI_COMM_WORLD, [&] { fmt::print("{}", scene::resolved_deck(options.deck, options.overrides)); });
@@ -163,9 +174,7 @@ int check(const CheckOptions& options) {
   }
   const double program = loop::peak_memory();
   const double begun = advice::processor_clock();
-  scene::Scene scene = bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
-  const std::vector<mesh::Mesh> meshes = bodies::read_meshes(scene.bodies, MPI_COMM_WORLD);
-  const bodies::Preparation ready = bodies::prepare(std::move(scene), meshes, MPI_COMM_WORLD);
+  const auto [ready, meshes] = prepare(options);
   const double preparation = parallel::largest(advice::processor_clock() - begun, MPI_COMM_WORLD);
   const advice::StepMeasurement measured = advice::measure_steps(ready, program, MPI_COMM_WORLD);
   std::optional<advice::RankPrediction> prediction;  // before the rehearsal, which needs memory of its own

@@ -64,7 +64,8 @@ std::vector<std::optional<advice::PitchEstimate>> pitch_estimates(const bodies::
                                                                   const std::vector<mesh::Mesh>& meshes) {
   std::vector<std::optional<advice::PitchEstimate>> all(ready.scene.bodies.size());
   for (std::size_t b = 0; b < all.size(); ++b) {
-    if (ready.initial_state.steps[b].is_limited() && !scene::is_joined(b, ready.scene.joints)) {
+    const bool is_whole = meshes[b].element_count() > 0;
+    if (is_whole && ready.initial_state.steps[b].is_limited() && !scene::is_joined(b, ready.scene.joints)) {
       all[b] = advice::pitch_estimate(ready.scene, b, meshes[b]);
     }
   }

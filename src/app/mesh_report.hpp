@@ -18,7 +18,7 @@ void report_mesh(const bodies::Preparation& ready);
 [[nodiscard]] std::optional<std::string> pitch_warning(const bodies::Preparation& ready, std::size_t b);
 
 /// The lowest modes of each body that has a pitch, where that is quick.
-/// @param meshes  of the bodies
+/// @param meshes  of the bodies; there is no estimate of those without elements
 [[nodiscard]] std::vector<std::optional<advice::PitchEstimate>> pitch_estimates(const bodies::Preparation& ready,
                                                                                 const std::vector<mesh::Mesh>& meshes);
 

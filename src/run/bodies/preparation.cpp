@@ -131,10 +131,11 @@ std::vector<mesh::Mesh> read_meshes(std::span<const scene::Body> bodies, MPI_Com
   return meshes;
 }
 
-Preparation prepare(scene::Scene scene, MPI_Comm communicator) {
+PreparedMeshes prepare_with_meshes(scene::Scene scene, MPI_Comm communicator) {
   if (!reads_in_parts(scene, communicator)) {
-    const std::vector<mesh::Mesh> meshes = read_meshes(scene.bodies, communicator);
-    return prepare(std::move(scene), meshes, communicator);
+    std::vector<mesh::Mesh> meshes = read_meshes(scene.bodies, communicator);
+    Preparation ready = prepare(std::move(scene), meshes, communicator);
+    return {std::move(ready), std::move(meshes)};
   }
   if (parallel::is_root(communicator)) {
     spdlog::info("each rank reads its part of the meshes");
@@ -148,7 +149,12 @@ Preparation prepare(scene::Scene scene, MPI_Comm communicator) {
     to.part = std::move(read.part);
     to.statistics = std::move(read.statistics);
   };
-  return complete(std::move(ready), shares.outlines, distribute, communicator);
+  ready = complete(std::move(ready), shares.outlines, distribute, communicator);
+  return {std::move(ready), std::move(shares.outlines)};
+}
+
+Preparation prepare(scene::Scene scene, MPI_Comm communicator) {
+  return prepare_with_meshes(std::move(scene), communicator).ready;
 }
 
 Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& whole, MPI_Comm communicator) {

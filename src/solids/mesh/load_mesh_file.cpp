@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <numeric>
-#include <stdexcept>
 
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/element/deck_keys.hpp"
@@ -13,21 +12,11 @@ namespace idiophone::mesh {
 
 namespace {
 
-/// @param read  read_mesh_file or read_mesh_outline
-template <class Read>
-StoredMesh read_of(const scene::Body& body, const Read& read) {
-  try {
-    return read(body.mesh);
-  } catch (const std::runtime_error& error) {
-    throw deck::DeckError(body.mesh_where, unreadable(body, error.what()));
-  }
-}
-
 StoredMesh stored_mesh(const scene::Body& body, Answers& known) {
   if (const auto found = known.stored.find(body.mesh); found != known.stored.end()) {
     return found->second;
   }
-  StoredMesh stored = read_of(body, read_mesh_file);
+  StoredMesh stored = read_for(body, [&] { return read_mesh_file(body.mesh); });
   if (stored.mesh.nodes.size() <= most_kept_nodes) {
     known.stored.emplace(body.mesh, stored);
   }
@@ -74,8 +63,8 @@ void require_file(const scene::Body& body) {
   }
 }
 
-std::string unreadable(const scene::Body& body, const std::string& why) {
-  return fmt::format("the mesh of body '{}' can't be read: {}", body.name, why);
+void refuse_unreadable(const scene::Body& body, const std::string& why) {
+  throw deck::DeckError(body.mesh_where, fmt::format("the mesh of body '{}' can't be read: {}", body.name, why));
 }
 
 GmshMesh load_mesh_file(const scene::Body& body, Answers& known) {
@@ -95,7 +84,7 @@ GmshMesh load_mesh_file(const scene::Body& body, Answers& known) {
 
 Mesh load_mesh_outline(const scene::Body& body) {
   require_no_thickness(body);
-  Mesh outline = read_of(body, read_mesh_outline).mesh;
+  Mesh outline = read_for(body, [&] { return read_mesh_outline(body.mesh); }).mesh;
   require_element(body, outline.element);
   return outline;
 }

@@ -2,6 +2,7 @@
 // A body whose mesh is a file of `idiophone mesh`.
 
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 
 #include "gmsh_mesh.hpp"
@@ -24,7 +25,17 @@ void require_file(const scene::Body& body);
 /// @throws deck::DeckError as load_mesh_file()
 [[nodiscard]] Mesh load_mesh_outline(const scene::Body& body);
 
-/// "the mesh of body 'bell' can't be read: ..."
-[[nodiscard]] std::string unreadable(const scene::Body& body, const std::string& why);
+/// @throws deck::DeckError, pointing at the body's mesh key: "the mesh of body 'bell' can't be read: ..."
+[[noreturn]] void refuse_unreadable(const scene::Body& body, const std::string& why);
+
+/// Calls `read()`, whose errors of type std::runtime_error then are refuse_unreadable()'s.
+template <class Read>
+auto read_for(const scene::Body& body, const Read& read) {
+  try {
+    return read();
+  } catch (const std::runtime_error& error) {
+    refuse_unreadable(body, error.what());
+  }
+}
 
 }  // namespace idiophone::mesh

@@ -7,6 +7,7 @@
 #include "checks.hpp"
 #include "element_reader.hpp"
 #include "hash_of_rows.hpp"
+#include "idiophone/files/reading.hpp"
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/solids/mesh/numbered_faces.hpp"
@@ -26,7 +27,7 @@ Mesh read_outline(const scene::Body& body) {
   GmshMesh loaded;
   loaded.mesh = load_mesh_outline(body);
   if (!std::ranges::is_sorted(loaded.mesh.surface)) {
-    throw deck::DeckError(body.mesh_where, unreadable(body, "its surface is not sorted: make it anew"));
+    refuse_unreadable(body, body.mesh.string() + ": its surface is not sorted: make it anew");
   }
   loaded.node_tags.resize(loaded.mesh.nodes.size());
   std::iota(loaded.node_tags.begin(), loaded.node_tags.end(), std::size_t{0});
@@ -34,12 +35,10 @@ Mesh read_outline(const scene::Body& body) {
   return std::move(loaded.mesh);
 }
 
-Index element_count(const scene::Body& body) {
-  const std::optional<Index> count = stored_elements(body);
-  if (!count) {
-    throw deck::DeckError(body.mesh_where, unreadable(body, "its elements can't be read"));
-  }
-  return *count;
+/// @throws std::runtime_error, naming the file
+Index count_elements(const scene::Body& body) {
+  return files::read_within_limit(
+      body.mesh, [&] { return MeshTables(body.mesh).rows(mesh_file::elements, element::node_count(body.element)); });
 }
 
 /// From the file to the scene. Collective.
@@ -63,7 +62,7 @@ bool fits_parts(const scene::Body& body) {
 
 std::optional<Index> stored_elements(const scene::Body& body) {
   try {
-    return MeshTables(body.mesh).rows(mesh_file::elements, element::node_count(body.element));
+    return count_elements(body);
   } catch (const std::runtime_error&) {
     return std::nullopt;
   }
@@ -75,7 +74,9 @@ MeshShares read_shares(std::span<const scene::Body> bodies, MPI_Comm communicato
   parallel::on_root(communicator, [&] {
     std::ranges::transform(bodies, std::back_inserter(outlines), read_outline);
     std::vector<Index> elements;
-    std::ranges::transform(bodies, std::back_inserter(elements), element_count);
+    std::ranges::transform(bodies, std::back_inserter(elements), [](const scene::Body& body) {
+      return read_for(body, [&] { return count_elements(body); });
+    });
     offsets = offsets_of(outlines, elements);
   });
   for (auto* numbers : {&offsets.nodes, &offsets.elements, &offsets.triangles}) {

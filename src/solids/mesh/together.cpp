@@ -30,13 +30,7 @@ void check_together(MPI_Comm communicator, const std::function<void()>& check) {
 }
 
 void read_together(const scene::Body& body, MPI_Comm communicator, const std::function<void()>& read) {
-  check_together(communicator, [&] {
-    try {
-      files::read_within_limit(body.mesh, read);
-    } catch (const std::runtime_error& error) {
-      throw deck::DeckError(body.mesh_where, unreadable(body, error.what()));
-    }
-  });
+  check_together(communicator, [&] { read_for(body, [&] { files::read_within_limit(body.mesh, read); }); });
 }
 
 void require_fit(const scene::Body& body, const std::string& problem, MPI_Comm communicator) {

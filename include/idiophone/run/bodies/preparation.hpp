@@ -48,8 +48,17 @@ struct Preparation {
 /// @throws deck::DeckError for a wrong deck, on rank 0, and parallel::RemoteFailure elsewhere; std::runtime_error
 [[nodiscard]] Preparation prepare(scene::Scene scene, const std::vector<mesh::Mesh>& whole, MPI_Comm communicator);
 
-/// The same; reads the meshes and drops them. Where they are large mesh files, each rank reads its part
-/// (docs/use/meshes.md says which).
+/// With the meshes that it was made from.
+struct PreparedMeshes {
+  Preparation ready;
+  std::vector<mesh::Mesh> meshes;  ///< on rank 0; without elements where each rank has read its part
+};
+
+/// The same; reads the meshes. Where they are large mesh files, each rank reads its part (docs/use/meshes.md says
+/// which).
+[[nodiscard]] PreparedMeshes prepare_with_meshes(scene::Scene scene, MPI_Comm communicator);
+
+/// The same; drops the meshes.
 [[nodiscard]] Preparation prepare(scene::Scene scene, MPI_Comm communicator);
 
 }  // namespace idiophone::bodies
