@@ -2,74 +2,16 @@
 
 #include "idiophone/solids/mesh/meshes_in_parts.hpp"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <functional>
-#include <memory>
-
 #include "cube_file.hpp"
-#include "hash.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
-#include "idiophone/foundation/parallel/errors.hpp"
-#include "idiophone/solids/mesh/mesh_file.hpp"
+#include "mesh_files_of_ranks.hpp"
 #include "part_builder.hpp"
 #include "ranks.hpp"
-#include "samples.hpp"
 
 namespace idiophone::mesh {
 namespace {
-
-using ::testing::AllOf;
-using ::testing::HasSubstr;
-using ::testing::StartsWith;
-
-const Origin origin_of_parts{.name = "test", .code_version = "0", .deck_text = "name: test\n", .overrides = {}};
-
-/// Bodies whose meshes are files. Every rank has files of its own.
-class MeshesInParts : public ::testing::Test {
- protected:
-  /// A body whose mesh is a file of the mesh of this one.
-  void add(
-      scene::Body original, const std::function<void(StoredMesh&)>& change = [](StoredMesh&) {}) {
-    StoredMesh stored = storable_mesh(original);
-    change(stored);
-    stored.mesh.hash = hash_of(stored.mesh);
-    const std::string rank = std::to_string(parallel::rank_of(MPI_COMM_WORLD));
-    files_.push_back(std::make_unique<TemporaryFile>(rank + "_" + std::to_string(bodies.size()) + ".mesh.h5"));
-    write_mesh_file(files_.back()->path(), stored, origin_of_parts);
-    original.mesh = files_.back()->path();
-    original.parameters.clear();
-    bodies.push_back(original);
-  }
-
-  /// What is said on rank 0 of these bodies; all ranks have to fail.
-  std::string refusal_in_parts() {
-    try {
-      MeshShares shares = read_shares(bodies, MPI_COMM_WORLD);
-      static_cast<void>(read_part(bodies, shares, {}, MPI_COMM_WORLD));
-    } catch (const deck::DeckError& error) {
-      return error.what();
-    } catch (const parallel::RemoteFailure& error) {
-      return error.what();
-    }
-    return "";
-  }
-
-  /// The same of a bar whose mesh was changed.
-  std::string refusal_after(const std::function<void(Mesh&)>& change) {
-    bodies.clear();
-    add(shipped("square_plate.geo", element::tet10, {{"size", 0.05}}));
-    add(shipped("bar.geo", element::tet4), [&](StoredMesh& stored) { change(stored.mesh); });
-    return refusal_in_parts();
-  }
-
-  std::vector<scene::Body> bodies;
-
- private:
-  std::vector<std::unique_ptr<TemporaryFile>> files_;
-};
 
 void expect_same(const Part& found, const Part& wanted) {
   EXPECT_EQ(found.global_nodes, wanted.global_nodes);
@@ -145,7 +87,7 @@ TEST_F(MeshesInParts, AreThoseOfTheWholeMeshes) {
 }
 
 TEST_F(MeshesInParts, HaveSeveralMaterials) {
-  const TemporaryFile boxes("boxes" + std::to_string(parallel::rank_of(MPI_COMM_WORLD)) + ".geo", two_boxes);
+  const TemporaryFile boxes("boxes.geo", two_boxes);
   add(turned_and_moved(with_groups(boxes, element::tet10, {"head", "core"})));
   add(with_groups(boxes, element::tet4, {"both"}));
   add(with_groups(boxes, element::tet4, {"core", "head"}));
@@ -153,7 +95,7 @@ TEST_F(MeshesInParts, HaveSeveralMaterials) {
 }
 
 TEST_F(MeshesInParts, AreOfHexahedra) {
-  const TemporaryFile sheets("sheets" + std::to_string(parallel::rank_of(MPI_COMM_WORLD)) + ".geo", two_rectangles);
+  const TemporaryFile sheets("sheets.geo", two_rectangles);
   scene::Body wall = with_groups(sheets, element::hex(3, 2), {"right", "left"});
   wall.thickness = 0.005;
   add(wall);
@@ -163,57 +105,11 @@ TEST_F(MeshesInParts, AreOfHexahedra) {
 }
 
 TEST_F(MeshesInParts, HaveTheGroupsThatTheirDecksDescribe) {
-  const TemporaryFile cube("cube" + std::to_string(parallel::rank_of(MPI_COMM_WORLD)) + ".brep", cube_file(".brep"));
+  const TemporaryFile cube("cube.brep", cube_file(".brep"));
   scene::Body body = body_of(cube.path(), element::tet4, {{"size", 0.5}});
   body.fixed.emplace_back().group = "normal 0 0 -1";
   add(body);
   expect_parts_of_whole_meshes(bodies);
-}
-
-TEST_F(MeshesInParts, NeedAMaterialForEachElement) {
-  const TemporaryFile boxes("boxes" + std::to_string(parallel::rank_of(MPI_COMM_WORLD)) + ".geo", two_boxes);
-  const auto refusal_of = [&](const std::vector<std::string>& groups, const auto& change) {
-    bodies.clear();
-    add(with_groups(boxes, element::tet4, {"core", "head"}), change);
-    bodies.back().regions = with_groups(boxes, element::tet4, groups).regions;
-    return refusal_in_parts();
-  };
-  const auto leave = [](StoredMesh&) {};
-  EXPECT_EQ(refusal_of({"core", "head"}, leave), "");
-  EXPECT_THAT(
-      refusal_of({"core", "tail"}, leave),
-      AllOf(StartsWith("deck.yaml:11:5: "), HasSubstr("no physical group 'tail'"), HasSubstr("both, core, head")));
-  EXPECT_THAT(refusal_of({"core", "both"}, leave),
-              AllOf(StartsWith("deck.yaml:11:5: "), HasSubstr("is in both groups 'core' and 'both'")));
-  const std::string missing = refusal_of({"head"}, leave);
-  EXPECT_THAT(missing,
-              AllOf(StartsWith("deck.yaml:10:5: "), HasSubstr("are in none of these groups, such as element")));
-  const StoredMesh stored = read_mesh_file(bodies.back().mesh);
-  EXPECT_THAT(missing, HasSubstr(std::to_string(stored.element_groups.at("core").size()) + " elements of "));
-  EXPECT_THAT(
-      refusal_of({"core", "head"}, [](StoredMesh& mesh) { std::ranges::reverse(mesh.element_groups.at("head")); }),
-      HasSubstr("/element_groups has the list 'head', which does not ascend"));
-  EXPECT_THAT(refusal_of({"core", "head"}, [](StoredMesh& mesh) { mesh.element_groups.at("head").push_back(1 << 20); }),
-              HasSubstr("/element_groups has the number 1048576"));
-}
-
-TEST_F(MeshesInParts, AreCheckedAsWholeMeshes) {
-  EXPECT_EQ(refusal_after([](Mesh&) {}), "");
-  EXPECT_THAT(refusal_after([](Mesh& mesh) { std::swap(mesh.elements[0], mesh.elements[1]); }),
-              HasSubstr("has 1 inverted and 0 flat elements"));
-  EXPECT_THAT(refusal_after([](Mesh& mesh) { mesh.nodes.emplace_back(9, 9, 9); }), HasSubstr("which no element has"));
-  EXPECT_THAT(refusal_after([](Mesh& mesh) { std::swap(mesh.surface.front(), mesh.surface.back()); }),
-              HasSubstr("its surface is not sorted"));
-  EXPECT_THAT(refusal_after([](Mesh& mesh) {
-                const auto first = static_cast<Index>(mesh.nodes.size());
-                for (const Vector3& corner : unit_corners()) {
-                  mesh.nodes.push_back(corner + Vector3(5, 5, 5));
-                }
-                for (Index corner = 0; corner < 4; ++corner) {
-                  mesh.elements.push_back(first + corner);
-                }
-              }),
-              HasSubstr("falls into 2 parts that share no node"));
 }
 
 }  // namespace
