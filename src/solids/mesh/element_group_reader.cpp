@@ -11,7 +11,7 @@
 #include "idiophone/files/checksum.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/exchange.hpp"
-#include "list_outline.hpp"
+#include "list_reader.hpp"
 #include "mesh_file_paths.hpp"
 #include "together.hpp"
 

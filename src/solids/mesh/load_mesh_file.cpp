@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <numeric>
+#include <stdexcept>
 
+#include "idiophone/files/reading.hpp"
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/element/deck_keys.hpp"
 #include "mesh_outline.hpp"
@@ -11,6 +13,16 @@
 namespace idiophone::mesh {
 
 namespace {
+
+/// Calls `read()`, whose errors of type std::runtime_error then are refuse_unreadable()'s.
+template <class Read>
+auto read_for(const scene::Body& body, const Read& read) {
+  try {
+    return read();
+  } catch (const std::runtime_error& error) {
+    refuse_unreadable(body, error.what());
+  }
+}
 
 StoredMesh stored_mesh(const scene::Body& body, Answers& known) {
   if (const auto found = known.stored.find(body.mesh); found != known.stored.end()) {
@@ -65,6 +77,10 @@ void require_file(const scene::Body& body) {
 
 void refuse_unreadable(const scene::Body& body, const std::string& why) {
   throw deck::DeckError(body.mesh_where, fmt::format("the mesh of body '{}' can't be read: {}", body.name, why));
+}
+
+void read_within_limit(const scene::Body& body, const std::function<void()>& read) {
+  read_for(body, [&] { files::read_within_limit(body.mesh, read); });
 }
 
 GmshMesh load_mesh_file(const scene::Body& body, Answers& known) {

@@ -2,7 +2,7 @@
 // A body whose mesh is a file of `idiophone mesh`.
 
 #include <filesystem>
-#include <stdexcept>
+#include <functional>
 #include <string>
 
 #include "gmsh_mesh.hpp"
@@ -28,14 +28,8 @@ void require_file(const scene::Body& body);
 /// @throws deck::DeckError, pointing at the body's mesh key: "the mesh of body 'bell' can't be read: ..."
 [[noreturn]] void refuse_unreadable(const scene::Body& body, const std::string& why);
 
-/// Calls `read()`, whose errors of type std::runtime_error then are refuse_unreadable()'s.
-template <class Read>
-auto read_for(const scene::Body& body, const Read& read) {
-  try {
-    return read();
-  } catch (const std::runtime_error& error) {
-    refuse_unreadable(body, error.what());
-  }
-}
+/// Calls `read()` within the limit for reading the body's file.
+/// @throws deck::DeckError as refuse_unreadable(), naming the file, if it throws a std::runtime_error
+void read_within_limit(const scene::Body& body, const std::function<void()>& read);
 
 }  // namespace idiophone::mesh

@@ -7,7 +7,6 @@
 #include "checks.hpp"
 #include "element_reader.hpp"
 #include "hash_of_rows.hpp"
-#include "idiophone/files/reading.hpp"
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/solids/mesh/numbered_faces.hpp"
@@ -15,7 +14,7 @@
 #include "mesh_file_paths.hpp"
 #include "mesh_table_reader.hpp"
 #include "part_reader.hpp"
-#include "placement.hpp"
+#include "put_in_place.hpp"
 
 namespace idiophone::mesh {
 
@@ -35,10 +34,12 @@ Mesh read_outline(const scene::Body& body) {
   return std::move(loaded.mesh);
 }
 
-/// @throws std::runtime_error, naming the file
+/// @throws deck::DeckError as read_meshes()
 Index count_elements(const scene::Body& body) {
-  return files::read_within_limit(
-      body.mesh, [&] { return MeshTables(body.mesh).rows(mesh_file::elements, element::node_count(body.element)); });
+  Index count = 0;
+  read_within_limit(
+      body, [&] { count = MeshTables(body.mesh).rows(mesh_file::elements, element::node_count(body.element)); });
+  return count;
 }
 
 /// From the file to the scene. Collective.
@@ -63,7 +64,7 @@ bool fits_parts(const scene::Body& body) {
 std::optional<Index> stored_elements(const scene::Body& body) {
   try {
     return count_elements(body);
-  } catch (const std::runtime_error&) {
+  } catch (const deck::DeckError&) {
     return std::nullopt;
   }
 }
@@ -74,9 +75,7 @@ MeshShares read_shares(std::span<const scene::Body> bodies, MPI_Comm communicato
   parallel::on_root(communicator, [&] {
     std::ranges::transform(bodies, std::back_inserter(outlines), read_outline);
     std::vector<Index> elements;
-    std::ranges::transform(bodies, std::back_inserter(elements), [](const scene::Body& body) {
-      return read_for(body, [&] { return count_elements(body); });
-    });
+    std::ranges::transform(bodies, std::back_inserter(elements), count_elements);
     offsets = offsets_of(outlines, elements);
   });
   for (auto* numbers : {&offsets.nodes, &offsets.elements, &offsets.triangles}) {

@@ -12,7 +12,7 @@
 #include "part_builder.hpp"
 #include "part_statistics.hpp"
 #include "part_tables.hpp"
-#include "placement.hpp"
+#include "put_in_place.hpp"
 #include "together.hpp"
 
 namespace idiophone::mesh {

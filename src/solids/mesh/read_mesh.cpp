@@ -10,7 +10,7 @@
 #include "idiophone/solids/mesh/mesh_file.hpp"
 #include "idiophone/solids/mesh/numbered_faces.hpp"
 #include "ordered.hpp"
-#include "placement.hpp"
+#include "put_in_place.hpp"
 #include "spectral_hexahedra.hpp"
 #include "straighten.hpp"
 #include "values_of_views.hpp"

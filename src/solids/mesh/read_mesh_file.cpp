@@ -9,7 +9,7 @@
 #include "idiophone/files/reading.hpp"
 #include "idiophone/foundation/place_text.hpp"
 #include "idiophone/solids/mesh/mesh_file.hpp"
-#include "list_outline.hpp"
+#include "list_reader.hpp"
 #include "mesh_file_paths.hpp"
 #include "mesh_outline.hpp"
 #include "mesh_table_reader.hpp"

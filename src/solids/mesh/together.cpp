@@ -3,7 +3,6 @@
 #include <stdexcept>
 
 #include "checks.hpp"
-#include "idiophone/files/reading.hpp"
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "load_mesh_file.hpp"
@@ -30,7 +29,7 @@ void check_together(MPI_Comm communicator, const std::function<void()>& check) {
 }
 
 void read_together(const scene::Body& body, MPI_Comm communicator, const std::function<void()>& read) {
-  check_together(communicator, [&] { read_for(body, [&] { files::read_within_limit(body.mesh, read); }); });
+  check_together(communicator, [&] { read_within_limit(body, read); });
 }
 
 void require_fit(const scene::Body& body, const std::string& problem, MPI_Comm communicator) {

@@ -1,4 +1,4 @@
-#include "placement.hpp"
+#include "put_in_place.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "list_outline.hpp"
+#include "list_reader.hpp"
 
 #include <algorithm>
 #include <set>
