@@ -64,9 +64,9 @@ MemberRows read_members(const MeshTables& tables, int rank, int ranks) {
 /// To the ranks in whose ranges the elements are. Collective.
 std::vector<GroupMember> exchanged(const MemberRows& rows, Index element_count, MPI_Comm communicator) {
   const int ranks = parallel::size_of(communicator);
-  std::vector<Index> begins;
+  std::vector<Index> begins(ranks);
   for (int rank = 0; rank < ranks; ++rank) {
-    begins.push_back(first_row(element_count, rank, ranks));
+    begins[rank] = first_row(element_count, rank, ranks);
   }
   const CompressedRows takers(ranks, [&](auto take) {
     for (std::size_t place = 0; place < rows.members.size(); ++place) {

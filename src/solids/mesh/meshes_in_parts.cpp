@@ -71,23 +71,23 @@ std::optional<Index> stored_elements(const scene::Body& body) {
 
 MeshShares read_shares(std::span<const scene::Body> bodies, MPI_Comm communicator) {
   MeshShares shares;
-  auto& [outlines, offsets, rows] = shares;
+  Offsets& offsets = shares.offsets;
   parallel::on_root(communicator, [&] {
-    std::ranges::transform(bodies, std::back_inserter(outlines), read_outline);
+    std::ranges::transform(bodies, std::back_inserter(shares.outlines), read_outline);
     std::vector<Index> elements;
     std::ranges::transform(bodies, std::back_inserter(elements), count_elements);
-    offsets = offsets_of(outlines, elements);
+    offsets = offsets_of(shares.outlines, elements);
   });
   for (auto* numbers : {&offsets.nodes, &offsets.elements, &offsets.triangles}) {
     parallel::broadcast(*numbers, communicator);
   }
   for (std::size_t body = 0; body < bodies.size(); ++body) {
     Mesh none;
-    Mesh& outline = outlines.empty() ? none : outlines[body];
+    Mesh& outline = shares.outlines.empty() ? none : shares.outlines[body];
     const Index elements = offsets.elements[body + 1] - offsets.elements[body];
-    rows.push_back(read_element_rows(bodies[body], outline, elements, offsets.nodes[body + 1] - offsets.nodes[body],
-                                     communicator));
-    put_in_scene(bodies[body], outline, rows.back(), elements, communicator);
+    shares.rows.push_back(read_element_rows(bodies[body], outline, elements,
+                                            offsets.nodes[body + 1] - offsets.nodes[body], communicator));
+    put_in_scene(bodies[body], outline, shares.rows.back(), elements, communicator);
   }
   return shares;
 }
