@@ -177,6 +177,10 @@ class Joints(program.TestCase):
         plucked = program.contents(self.output / "joined.h5")["energy"]
         total = plucked[:, :4].sum(axis=1) + plucked[:, 5]
         self.assertGreater(plucked[:, 0].max(), 0.1 * (total[0] - energy[0, [1, 5]].sum()))
+        for what, cause in (at_rest, "the prestress of body 'right'"), (at_rest[:8] + pluck, "pluck 'finger'"):
+            job = program.run("joined", self.output, *what, "--set", "bodies.left.model={type: modal, count: 3}")
+            self.require_status(job, program.WRONG_DECK)
+            self.assertIn(f"{cause} deforms bodies that joints tie together, and 'left' is modal", job.stderr)
 
     def test_bolted_bodies_have_modes_and_a_map_that_rise_with_the_preload(self):
         lowest = []
