@@ -105,6 +105,17 @@ class MeshesInParts(DecksWithMeshFiles):
                     self.assertAlmostEqual(in_parts[name]["regions"][number]["mass"] / region["mass"], 1, delta=1e-12)
 
 
+    def test_what_needs_whole_meshes_reads_them(self):
+        deck = self.materials_deck()
+        scaled = self.output / "scaled.yaml"
+        scaled.write_text("""{name: scaled, time: {duration: 1e-4}, listeners: {ear: {type: mono, position: [0, 0, 1]}}, bodies: {plate: {mesh: %s,
+            element: hex, order: {plane: 3, thickness: 2}, material: steel, mass_scaling: {shift: 5}}}}""" % self.mesh("materials", "plate"))
+        for arguments in ("check", deck, "--ranks", 4), ("run", scaled, "--output-folder", self.output):
+            job = program.idiophone(*arguments, ranks=2, environment=PARTS)
+            self.require_status(job, program.FINISHED)
+            self.assertNotIn(SAYS_SO, job.stdout + job.stderr)
+
+
 class FaultsOfMeshesInParts(DecksWithMeshFiles):
     def change(self, path, dataset, change, *, checksum=True):
         with h5py.File(path, "r+") as file:

@@ -57,6 +57,7 @@ void expect_same(const Statistics& found, const Statistics& wanted) {
   }
   EXPECT_TRUE(found.cells.isApprox(wanted.cells, 1e-12));
   EXPECT_EQ(found.worst_quality, wanted.worst_quality);
+  EXPECT_EQ(found.worst_element, wanted.worst_element);
   EXPECT_EQ(found.surface_area, wanted.surface_area);
 }
 
@@ -91,6 +92,15 @@ TEST_F(MeshesInParts, HaveSeveralMaterials) {
   add(turned_and_moved(with_groups(boxes, element::tet10, {"head", "core"})));
   add(with_groups(boxes, element::tet4, {"both"}));
   add(with_groups(boxes, element::tet4, {"core", "head"}));
+  expect_parts_of_whole_meshes(bodies);
+}
+
+TEST_F(MeshesInParts, HaveTheRegionsOfTheirDecksAndNotOfTheirFiles) {
+  const TemporaryFile boxes("boxes.geo", two_boxes);
+  add(with_groups(boxes, element::tet4, {"core", "head"}));
+  bodies.back().regions.clear();
+  add(with_groups(boxes, element::tet10, {"head", "core"}));
+  bodies.back().regions = with_groups(boxes, element::tet10, {"both"}).regions;
   expect_parts_of_whole_meshes(bodies);
 }
 

@@ -19,7 +19,7 @@ inline const std::string radiation_format = "idiophone radiation";
 
 /// The version of a format's layout.
 [[nodiscard]] inline std::int64_t version_of(const std::string& format) {
-  return format == checkpoint_format ? 4 : 1;
+  return format == checkpoint_format ? 5 : 1;
 }
 
 /// The format of a file; empty if it names none.

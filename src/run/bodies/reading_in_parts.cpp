@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::int64_t many_elements = 4'000'000;
 
-/// Modes, cracks, static equilibria, contacts and joints are found with whole bodies. Mass scaling needs columns of nodes
-/// that one rank owns.
+/// Modes, cracks, static equilibria, contacts and joints are found with whole bodies. Mass scaling needs columns of
+/// nodes that one rank owns.
 bool is_plain(const scene::Body& body) {
   return mesh::fits_parts(body) && !body.modal && !body.prestress && body.fracture.empty() && !body.mass_scaling;
 }

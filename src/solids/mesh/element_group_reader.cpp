@@ -27,6 +27,7 @@ struct MemberRows {
   ListOutline lists;
   Index begin = 0;             ///< of the range
   std::vector<Index> members;  ///< [range] elements
+  Index before = -1;           ///< the member before the range; -1 for none
   std::int64_t promised = 0;   ///< checksum of all members
 
   /// The group of a member of the range.
@@ -36,9 +37,9 @@ struct MemberRows {
   }
 };
 
-/// @param before  the member before the range; -1 for none
 /// @throws std::runtime_error unless the elements of each list ascend
-void require_ascending(const MemberRows& rows, Index before) {
+void require_ascending(const MemberRows& rows) {
+  Index before = rows.before;
   for (std::size_t place = 0; place < rows.members.size(); ++place) {
     const bool is_first = std::ranges::binary_search(rows.lists.begins, rows.begin + static_cast<Index>(place));
     if (!is_first && rows.members[place] <= before) {
@@ -57,7 +58,7 @@ MemberRows read_members(const MeshTables& tables, int rank, int ranks) {
   rows.members = tables.read_rows<Index, Index>(path, 1, rows.begin, first_row(count, rank + 1, ranks));
   rows.promised = tables.checksum(path);
   const auto before = tables.read_rows<Index, Index>(path, 1, std::max(rows.begin - 1, 0), rows.begin);
-  require_ascending(rows, before.empty() ? -1 : before.front());
+  rows.before = before.empty() ? -1 : before.front();
   return rows;
 }
 
@@ -98,6 +99,7 @@ std::map<std::string, std::vector<std::size_t>> read_element_groups(const scene:
     if (rows.promised != std::int64_t{found}) {
       refuse_checksum(std::string(mesh_file::element_groups) + mesh_file::members);
     }
+    require_ascending(rows);
     require_numbers(mesh_file::element_groups, rows.members, static_cast<std::size_t>(element_count));
   });
   const std::vector<GroupMember> members = exchanged(rows, element_count, communicator);

@@ -26,7 +26,9 @@ void ElementMeasures::add(const ElementMeasures& other) {
   smallest_edge = std::min(smallest_edge, other.smallest_edge);
   largest_edge = std::max(largest_edge, other.largest_edge);
   volume += other.volume;
-  if (other.worst_quality < worst_quality) {
+  const bool has_worse = other.worst_quality < worst_quality;
+  const bool is_equal = other.elements > 0 && other.worst_quality == worst_quality;
+  if (has_worse || (is_equal && other.worst_element < worst_element)) {  // the first of equal ones on any ranks
     worst_quality = other.worst_quality;
     worst_element = other.worst_element;
     worst_centre = other.worst_centre;

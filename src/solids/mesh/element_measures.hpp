@@ -30,7 +30,7 @@ struct ElementMeasures {
   Vector3 edge_sums = Vector3::Zero();    ///< lengths along the axes of the edges that run mainly along each, m
   Vector3 edge_counts = Vector3::Zero();  ///< how many edges these are
 
-  /// Takes in those of other elements, with higher numbers.
+  /// Takes in those of other elements, whose numbers count from the same first one.
   void add(const ElementMeasures& other);
 };
 

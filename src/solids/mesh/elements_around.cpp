@@ -95,7 +95,7 @@ Neighbourhood elements_around(ElementRows rows, const scene::Body& body, Index f
                         std::back_inserter(nodes));
     }
   }
-  rows.nodes = {};
+  rows.nodes = std::vector<Index>();  // frees its memory, which {} does not
   Neighbourhood result;
   Mesh& mesh = result.loaded.mesh;
   mesh.element = body.element;

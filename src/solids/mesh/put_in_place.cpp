@@ -23,9 +23,8 @@ void put_in_place(const scene::Body& body, std::vector<Vector3>& nodes) {
     if (node.lpNorm<Eigen::Infinity>() > scene::farthest_coordinate) {
       throw deck::DeckError(
           body.mesh_where,
-          text_of_problem(body, fmt::format("comes to lie too far away: the deck "
-                                            "moves a node to {} m; coordinates must "
-                                            "be at least -{} and at most {} m",
+          text_of_problem(body, fmt::format("comes to lie too far away: the deck moves a node to {} m; coordinates "
+                                            "must be at least -{} and at most {} m",
                                             to_text(node), scene::farthest_coordinate, scene::farthest_coordinate)));
     }
   }

@@ -110,10 +110,11 @@ StoredMesh storable_mesh(const scene::Body& body) {
   bare.fixed.clear();
   bare.driven.clear();
   Answers known;
-  const GmshMesh loaded = read_file(bare, known);
-  OrderedMesh numbered = ordered(loaded.mesh);
+  GmshMesh loaded = read_file(bare, known);
+  std::vector<Index> regions = std::exchange(loaded.mesh.regions, {});
+  OrderedMesh numbered = ordered(loaded.mesh);  // along the curve alone: other decks may have other regions
+  loaded.mesh.regions = std::move(regions);
   StoredMesh stored{.body = body.name, .mesh = {}, .element_groups = element_groups(bare, loaded, numbered.elements)};
-  numbered.mesh.regions.clear();
   stored.mesh = finished(bare, loaded, std::move(numbered.mesh));
   if (!loaded.views.empty()) {
     stored.mesh.notes.emplace_back("values of its nodes and elements (gmsh's views) are not in the mesh file");

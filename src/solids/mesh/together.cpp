@@ -1,31 +1,32 @@
 #include "together.hpp"
 
-#include <stdexcept>
+#include <string>
 
 #include "checks.hpp"
 #include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/foundation/parallel/broadcast.hpp"
+#include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/foundation/parallel/reduce.hpp"
 #include "load_mesh_file.hpp"
 
 namespace idiophone::mesh {
 
 void check_together(MPI_Comm communicator, const std::function<void()>& check) {
-  std::string problem, first;
+  std::string problem;
   try {
     check();
   } catch (const deck::DeckError& error) {
     problem = error.what();
   }
-  try {
-    parallel::agree(communicator, problem);
-  } catch (const std::runtime_error& error) {
-    first = error.what();
+  // No rank waits elsewhere, so this may take as long as the slowest one reads.
+  const int ranks = parallel::size_of(communicator);
+  const int first = parallel::smallest(problem.empty() ? ranks : parallel::rank_of(communicator), communicator);
+  if (first == ranks) {
+    return;
   }
-  parallel::on_root(communicator, [&] {
-    if (!first.empty()) {
-      throw deck::DeckError({}, first);
-    }
-  });
+  parallel::broadcast(problem, communicator, first);
+  parallel::on_root(communicator, [&] { throw deck::DeckError({}, problem); });
 }
 
 void read_together(const scene::Body& body, MPI_Comm communicator, const std::function<void()>& read) {

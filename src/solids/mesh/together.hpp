@@ -16,9 +16,8 @@ namespace idiophone::mesh {
 void check_together(MPI_Comm communicator, const std::function<void()>& check);
 
 /// Calls `read()` on every rank, within the limit for reading the body's file. It makes no collective call. Collective.
-/// @throws as check_together(), pointing at the body's mesh key and naming the file, if it throws a std::runtime_error
-/// on
-///         any rank
+/// @throws as check_together(), pointing at the body's mesh key and naming the file, if it throws a
+///         std::runtime_error on any rank
 void read_together(const scene::Body& body, MPI_Comm communicator, const std::function<void()>& read);
 
 /// Collective.

@@ -24,11 +24,10 @@ namespace idiophone::mesh {
 
 /// Elements of a body with numbers one after another in its file.
 struct ElementRows {
-  Index begin = 0;             ///< number of the first one
-  std::vector<Index> nodes;    ///< [nodes per element x elements] numbers in the body
-  std::vector<Index> regions;  ///< [elements] as Mesh::regions, but in the order of the file
-  std::vector<Index>
-      region_counts;  ///< [regions] elements of each, over all ranks; empty where the body has one material
+  Index begin = 0;                   ///< number of the first one
+  std::vector<Index> nodes;          ///< [nodes per element x elements] numbers in the body
+  std::vector<Index> regions;        ///< [elements] as Mesh::regions, but in the order of the file
+  std::vector<Index> region_counts;  ///< [regions] elements of each on all ranks; empty where there is one material
 };
 
 /// What a rank has read before the parts are known.
@@ -38,7 +37,7 @@ struct MeshShares {
   std::vector<ElementRows> rows;  ///< [bodies] that this rank has read
 };
 
-/// Reads all of the meshes but the nodes and the surface, which only rank 0 has yet, and compares it with the hashes.
+/// Reads all of the meshes but the nodes and the surface, which only rank 0 has yet, and compares them with the hashes.
 /// Collective.
 /// @param bodies  that fit_parts()
 /// @throws deck::DeckError on rank 0, as read_meshes(), and parallel::RemoteFailure elsewhere
