@@ -76,9 +76,9 @@ Eigen::MatrixXd Stretch::stiffness() const {
   for (Eigen::Index i = 0; i < 9; ++i) {
     of_variables.col(i) = change_of_gradient(Variables::Unit(i));
   }
-  const Index nodes = point_.end - point_.first_begin;
+  const Eigen::Index nodes = point_.end - point_.first_begin;
   Eigen::MatrixXd variables = Eigen::MatrixXd::Zero(9, 3 * nodes);  // of the displacements of the nodes
-  for (Index n = 0; n < nodes; ++n) {
+  for (Eigen::Index n = 0; n < nodes; ++n) {
     const NodeWeight& weight = joint_.weights[point_.first_begin + n];
     const bool is_first = point_.first_begin + n < point_.second_begin;
     const Vector3 factors(is_first ? weight.value : -weight.value, is_first ? weight.slope[0] : 0.0,

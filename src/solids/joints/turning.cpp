@@ -17,7 +17,7 @@ Turning::Turning(const MeshedJoint& joint, const JointPoint& point, std::span<co
 }
 
 Eigen::MatrixXd Turning::stiffness() const {
-  const Index nodes = point_.end - point_.first_begin, of_first = point_.second_begin - point_.first_begin;
+  const Eigen::Index nodes = point_.end - point_.first_begin, of_first = point_.second_begin - point_.first_begin;
   Eigen::VectorXd gradient(3 * nodes), slopes(nodes);
   Eigen::Index row = 0;
   for_each_gradient([&](Index /*node*/, const Vector3& at_node) {
