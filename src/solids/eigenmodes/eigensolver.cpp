@@ -12,6 +12,7 @@
 #include "idiophone/foundation/parallel/petsc.hpp"
 #include "idiophone/foundation/parallel/reduce.hpp"
 #include "inertia.hpp"
+#include "shifted_matrix.hpp"
 
 namespace idiophone::eigenmodes {
 
@@ -22,16 +23,17 @@ namespace {
 /// Orthogonal vectors that a search leaves out: rigid motions and modes that are known.
 using Known = std::vector<parallel::Handle<Vec>>;
 
-/// Krylov-Schur, set up.
-parallel::Handle<EPS> create_solver(const EigenProblem& problem, int count, double shift) {
+/// Krylov-Schur, set up, for (K + shift M) x = (lambda + shift) M x about zero: SLEPc needs no other shift then.
+/// @param shifted  K + shift M
+parallel::Handle<EPS> create_solver(const EigenProblem& problem, Mat shifted, int count) {
   parallel::Handle<EPS> solver;
   petsc(EPSCreate(PetscObjectComm(reinterpret_cast<PetscObject>(problem.stiffness())), solver.out()));
   petsc(EPSSetOptionsPrefix(solver, "modes_"));
-  petsc(EPSSetOperators(solver, problem.stiffness(), problem.mass()));
+  petsc(EPSSetOperators(solver, shifted, problem.mass()));
   petsc(EPSSetProblemType(solver, EPS_GHEP));
   petsc(EPSSetDimensions(solver, count, PETSC_DEFAULT, PETSC_DEFAULT));
   petsc(EPSSetWhichEigenpairs(solver, EPS_TARGET_MAGNITUDE));
-  petsc(EPSSetTarget(solver, -shift));
+  petsc(EPSSetTarget(solver, 0.0));
   petsc(EPSSetTolerances(solver, 1e-10, 1000));
   ST transformation = nullptr;
   KSP linear = nullptr;
@@ -68,7 +70,8 @@ PetscErrorCode tell_watch(EPS solver, PetscInt iterations, PetscInt most_iterati
 /// start vector finds the second and third mode of one frequency by rounding errors only, so it may miss them.
 std::vector<Eigenpair> search(const EigenProblem& problem, const Known& known, int count, double shift,
                               PartWatch watch) {
-  const parallel::Handle<EPS> solver = create_solver(problem, count, shift);
+  const parallel::Handle<Mat> shifted = shifted_matrix(problem, shift);
+  const parallel::Handle<EPS> solver = create_solver(problem, shifted, count);
   std::vector<Vec> left_out(known.begin(), known.end());
   petsc(EPSSetDeflationSpace(solver, static_cast<PetscInt>(left_out.size()), left_out.data()));
   if (watch) {
@@ -93,6 +96,7 @@ std::vector<Eigenpair> search(const EigenProblem& problem, const Known& known, i
     PetscReal error = 0.0;
     petsc(EPSGetEigenpair(solver, i, &value, nullptr, vector, nullptr));
     petsc(EPSComputeError(solver, i, EPS_ERROR_RELATIVE, &error));
+    value -= shift;
     if (!(value > 0) || !(error < 1e-4)) {
       throw std::runtime_error(fmt::format(
           "mode {} is wrong (eigenvalue {:.3g} 1/s2, relative residual {:.2g}): does a part of the body hang on "

@@ -5,15 +5,14 @@
 
 #include <stdexcept>
 
+#include "shifted_matrix.hpp"
+
 namespace idiophone::eigenmodes {
 
 using parallel::petsc;
 
 PetscInt eigenvalues_below(const EigenProblem& problem, double bound) {
-  parallel::Handle<Mat> shifted;
-  petsc(MatDuplicate(problem.stiffness(), MAT_COPY_VALUES, shifted.out()));
-  petsc(MatAXPY(shifted, -bound, problem.mass(), SUBSET_NONZERO_PATTERN));
-  petsc(MatSetOption(shifted, MAT_SYMMETRIC, PETSC_TRUE));
+  const parallel::Handle<Mat> shifted = shifted_matrix(problem, -bound);
   parallel::Handle<Mat> factors;
   petsc(MatGetFactor(shifted, MATSOLVERMUMPS, MAT_FACTOR_CHOLESKY, factors.out()));
   petsc(MatSetOptionsPrefix(factors, "modes_st_"));  // as the factors of the search

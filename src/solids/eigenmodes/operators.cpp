@@ -70,7 +70,8 @@ Operators::Operators(const scene::Solids& solids, const mesh::Part& part, const 
 void Operators::assemble(const mesh::Part& part, std::span<const solid::NodeState> rest, MassMatrix mass,
                          MPI_Comm communicator) {
   const joints::Joints& joints = dynamics_.joints();
-  stiffness_ = motion::create_matrix(part.bodies, components_, communicator, joints::coupled_nodes(joints.all()));
+  stiffness_ = motion::create_matrix(part.bodies, components_, motion::Coupling::of_all_axes, communicator,
+                                     joints::coupled_nodes(joints.all()));
   for (std::size_t b = 0; b < part.bodies.size(); ++b) {
     motion::add_tangent_stiffness(part, part.bodies[b], dynamics_.solid(b), &solid::Solid::elasticity, rest,
                                   components_, stiffness_);
@@ -79,7 +80,7 @@ void Operators::assemble(const mesh::Part& part, std::span<const solid::NodeStat
   motion::add_joint_stiffness(joints, rest, components_, stiffness_);
   finish(stiffness_);
   if (mass == MassMatrix::consistent) {
-    mass_ = motion::create_matrix(part.bodies, components_, communicator);
+    mass_ = motion::create_matrix(part.bodies, components_, motion::Coupling::of_each_axis, communicator);
     for (std::size_t b = 0; b < part.bodies.size(); ++b) {
       add_elements(part, b, mass_, [&](std::size_t region, std::span<const Vector3> positions) {
         return solid::consistent_mass(part.bodies[b].element, dynamics_.solid(b).density(region), positions);

@@ -5,6 +5,7 @@
 
 #include "idiophone/foundation/parallel/petsc.hpp"
 #include "rigid_motions.hpp"
+#include "shifted_matrix.hpp"
 
 namespace idiophone::eigenmodes {
 
@@ -121,9 +122,7 @@ void RefinedProblem::connect(const std::vector<mesh::RefinedMesh>& refined) {
 }
 
 void RefinedProblem::set_up_cycle(double shift) {
-  petsc(MatDuplicate(given_.operators.stiffness(), MAT_COPY_VALUES, coarse_.out()));
-  petsc(MatAXPY(coarse_, shift, given_.operators.mass(), SUBSET_NONZERO_PATTERN));
-  petsc(MatSetOption(coarse_, MAT_SYMMETRIC, PETSC_TRUE));
+  coarse_ = shifted_matrix(given_.operators, shift);
   petsc(PCCreate(PETSC_COMM_SELF, cycle_.out()));
   petsc(PCSetOptionsPrefix(cycle_, "estimate_"));
   petsc(PCSetOperators(cycle_, stiffness(), stiffness()));

@@ -32,7 +32,7 @@ class Newton {
         support_(support),
         components_(components),
         communicator_(communicator),
-        tangent_(motion::create_matrix(part.bodies, components, communicator,
+        tangent_(motion::create_matrix(part.bodies, components, motion::Coupling::of_all_axes, communicator,
                                        joints::coupled_nodes(dynamics.joints().all()))) {
     petsc(MatCreateVecs(tangent_, change_.out(), unbalanced_.out()));
     petsc(KSPCreate(communicator, solver_.out()));

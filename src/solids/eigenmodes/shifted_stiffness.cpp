@@ -1,12 +1,13 @@
 #include "shifted_stiffness.hpp"
 
+#include "shifted_matrix.hpp"
+
 namespace idiophone::eigenmodes {
 
 using parallel::petsc;
 
-ShiftedStiffness::ShiftedStiffness(const Operators& operators, double shift) : operators_(operators), shift_(shift) {
-  petsc(MatDuplicate(operators.stiffness(), MAT_COPY_VALUES, matrix_.out()));
-  petsc(MatAXPY(matrix_, shift, operators.mass(), SUBSET_NONZERO_PATTERN));
+ShiftedStiffness::ShiftedStiffness(const Operators& operators, double shift)
+    : operators_(operators), shift_(shift), matrix_(shifted_matrix(operators, shift)) {
   petsc(KSPCreate(PETSC_COMM_SELF, solver_.out()));
   petsc(KSPSetOptionsPrefix(solver_, "residual_"));
   petsc(KSPSetOperators(solver_, matrix_, matrix_));

@@ -1,9 +1,11 @@
 #include "idiophone/solids/motion/assembly.hpp"
 
 #include <algorithm>
-#include <set>
+#include <optional>
+#include <vector>
 
 #include "idiophone/foundation/parallel/petsc.hpp"
+#include "idiophone/foundation/parallel/sequential_rows.hpp"
 #include "idiophone/solids/solid/tangent_stiffness.hpp"
 
 namespace idiophone::motion {
@@ -12,21 +14,21 @@ using parallel::petsc;
 
 namespace {
 
-/// Entries in each owned row: those in owned columns and those in others. [owned components]
-struct RowLengths {
-  std::vector<PetscInt> owned;
-  std::vector<PetscInt> others;
-};
-
-RowLengths row_lengths(std::span<const mesh::BodyPart> bodies, const Components& components,
-                       std::span<const std::vector<Index>> coupled) {
+/// The local nodes that each owned node shares an element or a coupling with, itself included, ascending.
+/// [owned nodes] none where no component of the node has a row
+std::vector<std::vector<Index>> neighbours_of(std::span<const mesh::BodyPart> bodies, const Components& components,
+                                              std::span<const std::vector<Index>> coupled) {
   const Index begin = bodies.front().owned_begin;
   const Index end = bodies.back().owned_end;
-  std::vector<std::set<Index>> neighbours(end - begin);
+  std::vector<std::vector<Index>> neighbours(end - begin);
+  const auto has_rows = [&](Index node) {
+    const auto numbers = std::span(components.number).subspan(3 * static_cast<std::size_t>(node), 3);
+    return std::ranges::max(numbers) >= 0;
+  };
   const auto couple = [&](std::span<const Index> nodes) {
     for (const Index node : nodes) {
-      if (node >= begin && node < end) {
-        neighbours[node - begin].insert(nodes.begin(), nodes.end());
+      if (node >= begin && node < end && has_rows(node)) {
+        neighbours[node - begin].insert(neighbours[node - begin].end(), nodes.begin(), nodes.end());
       }
     }
   };
@@ -36,54 +38,129 @@ RowLengths row_lengths(std::span<const mesh::BodyPart> bodies, const Components&
     }
   }
   std::ranges::for_each(coupled, couple);
-  const auto numbers = [&](std::size_t node) { return std::span(components.number).subspan(3 * node, 3); };
-  RowLengths lengths;
-  for (std::size_t n = 0; n < neighbours.size(); ++n) {
-    PetscInt owned = 0;
-    PetscInt others = 0;
-    for (const Index neighbour : neighbours[n]) {
-      for (const PetscInt column : numbers(neighbour)) {
-        const bool here = column >= components.begin && column < components.end;
-        owned += here ? 1 : 0;
-        others += column >= 0 && !here ? 1 : 0;
-      }
-    }
-    const auto rows = std::ranges::count_if(numbers(begin + n), [](PetscInt row) { return row >= 0; });
-    lengths.owned.insert(lengths.owned.end(), rows, owned);
-    lengths.others.insert(lengths.others.end(), rows, others);
+  for (std::vector<Index>& nodes : neighbours) {
+    std::ranges::sort(nodes);
+    nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
   }
-  return lengths;
+  return neighbours;
 }
 
-/// Adds a matrix between local nodes, [3 nodes x 3 nodes] as an element's.
-void add_between(std::span<const Index> nodes, const Components& components, const Eigen::MatrixXd& values,
-                 Mat matrix) {
+/// Where the entries of the owned rows are.
+struct Entries {
+  std::vector<PetscInt> begins = {0};  ///< [rows + 1]
+  std::vector<PetscInt> columns;       ///< of each row, ascending
+};
+
+Entries entries_of(std::span<const mesh::BodyPart> bodies, const Components& components, Coupling coupling,
+                   std::span<const std::vector<Index>> coupled) {
+  Entries entries;
+  std::vector<PetscInt> columns;
+  auto node = static_cast<std::size_t>(bodies.front().owned_begin);
+  for (const std::vector<Index>& neighbours : neighbours_of(bodies, components, coupled)) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if (components.number[3 * node + axis] < 0) {
+        continue;
+      }
+      columns.clear();
+      for (const Index neighbour : neighbours) {
+        for (std::size_t other = 0; other < 3; ++other) {
+          const PetscInt column = components.number[3 * static_cast<std::size_t>(neighbour) + other];
+          if (column >= 0 && (other == axis || coupling == Coupling::of_all_axes)) {
+            columns.push_back(column);
+          }
+        }
+      }
+      std::ranges::sort(columns);
+      entries.columns.insert(entries.columns.end(), columns.begin(), columns.end());
+      entries.begins.push_back(static_cast<PetscInt>(entries.columns.size()));
+    }
+    ++node;
+  }
+  return entries;
+}
+
+void set_values(std::span<const PetscInt> numbers, const Eigen::MatrixXd& values, Mat matrix) {
+  const auto size = static_cast<PetscInt>(numbers.size());
+  petsc(MatSetValues(matrix, size, numbers.data(), size, numbers.data(), values.data(), ADD_VALUES));
+}
+
+/// Adds dense matrices to a sparse one on one rank, which has places for all that is not zero. PETSc would search for
+/// each place.
+class Adder {
+ public:
+  explicit Adder(Mat matrix) : rows_(matrix), place_(rows_.count()) {}
+
+  /// @param numbers  of rows and columns; -1 where they are left out
+  /// @param values   symmetric
+  void add(std::span<const PetscInt> numbers, const Eigen::MatrixXd& values) {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (numbers[i] >= 0) {
+        find_places(rows_.columns(numbers[i]));
+        add_row(rows_.values(numbers[i]), numbers, values.col(static_cast<Eigen::Index>(i)).data());
+      }
+    }
+  }
+
+ private:
+  void find_places(std::span<const PetscInt> columns) {
+    if (!std::ranges::equal(columns, columns_)) {  // those of a node are often alike
+      columns_ = columns;
+      for (std::size_t entry = 0; entry < columns.size(); ++entry) {
+        place_[columns[entry]] = entry;
+      }
+    }
+  }
+
+  void add_row(std::span<double> row, std::span<const PetscInt> numbers, const double* values) const {
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+      if (numbers[i] >= 0 && values[i] != 0) {
+        row[place_[numbers[i]]] += values[i];
+      }
+    }
+  }
+
+  parallel::SequentialRows rows_;
+  std::span<const PetscInt> columns_;  ///< of the present row
+  std::vector<std::size_t> place_;     ///< [columns] in the present row
+};
+
+/// Rows and columns of nodes. [3 x nodes]
+std::vector<PetscInt> numbers_of(std::span<const Index> nodes, const Components& components) {
   std::vector<PetscInt> numbers;
   for (const Index node : nodes) {
     const auto first = components.number.begin() + 3 * static_cast<std::ptrdiff_t>(node);
     numbers.insert(numbers.end(), first, first + 3);
   }
-  const auto size = static_cast<PetscInt>(numbers.size());
-  petsc(MatSetValues(matrix, size, numbers.data(), size, numbers.data(), values.data(), ADD_VALUES));
+  return numbers;
 }
 
 }  // namespace
 
 parallel::Handle<Mat> create_matrix(std::span<const mesh::BodyPart> bodies, const Components& components,
-                                    MPI_Comm communicator, std::span<const std::vector<Index>> coupled) {
-  const RowLengths lengths = row_lengths(bodies, components, coupled);
+                                    Coupling coupling, MPI_Comm communicator,
+                                    std::span<const std::vector<Index>> coupled) {
+  const auto [begins, columns] = entries_of(bodies, components, coupling, coupled);
   const PetscInt rows = components.end - components.begin;
   parallel::Handle<Mat> matrix;
-  petsc(MatCreateAIJ(communicator, rows, rows, PETSC_DETERMINE, PETSC_DETERMINE, 0, lengths.owned.data(), 0,
-                     lengths.others.data(), matrix.out()));
+  petsc(MatCreate(communicator, matrix.out()));
+  petsc(MatSetSizes(matrix, rows, rows, PETSC_DETERMINE, PETSC_DETERMINE));
+  petsc(MatSetType(matrix, MATAIJ));
+  petsc(MatSeqAIJSetPreallocationCSR(matrix, begins.data(), columns.data(), nullptr));
+  petsc(MatMPIAIJSetPreallocationCSR(matrix, begins.data(), columns.data(), nullptr));
   petsc(MatSetOption(matrix, MAT_IGNORE_OFF_PROC_ENTRIES, PETSC_TRUE));
+  petsc(MatSetOption(matrix, MAT_IGNORE_ZERO_ENTRIES, PETSC_TRUE));
   return matrix;
 }
 
 void add_elements(const mesh::BodyPart& body, const Components& components, const ElementMatrix& element_matrix,
                   Mat matrix) {
+  std::optional<Adder> adder;
+  if (parallel::SequentialRows::are_of(matrix)) {
+    adder.emplace(matrix);
+  }
   for (std::size_t element = 0; element < body.element_ids.size(); ++element) {
-    add_between(body.element_nodes(element), components, element_matrix(element), matrix);
+    const std::vector<PetscInt> numbers = numbers_of(body.element_nodes(element), components);
+    adder ? adder->add(numbers, element_matrix(element)) : set_values(numbers, element_matrix(element), matrix);
   }
 }
 
@@ -109,7 +186,7 @@ void add_joint_stiffness(const joints::Joints& joints, std::span<const solid::No
                          const Components& components, Mat matrix) {
   for (std::size_t joint = 0; joint < joints.all().size(); ++joint) {
     joints.for_each_stiffness(joint, state, [&](std::span<const Index> nodes, const Eigen::MatrixXd& values) {
-      add_between(nodes, components, values, matrix);
+      set_values(numbers_of(nodes, components), values, matrix);
     });
   }
 }

@@ -88,8 +88,8 @@ void ForceBalance::jacobian(std::span<const double> u, Mat matrix) {
 }
 
 parallel::Handle<Mat> ForceBalance::create_tangent() const {
-  parallel::Handle<Mat> tangent =
-      create_matrix(part_.bodies, components_, PETSC_COMM_SELF, joints::coupled_nodes(dynamics_.joints().all()));
+  parallel::Handle<Mat> tangent = create_matrix(part_.bodies, components_, Coupling::of_all_axes, PETSC_COMM_SELF,
+                                                joints::coupled_nodes(dynamics_.joints().all()));
   petsc(MatSetOption(tangent, MAT_KEEP_NONZERO_PATTERN, PETSC_TRUE));
   return tangent;
 }

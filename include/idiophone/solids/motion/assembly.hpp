@@ -4,6 +4,7 @@
 #include <petscmat.h>
 
 #include <Eigen/Core>
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -22,13 +23,16 @@ struct Components {
   PetscInt end = 0;
 };
 
-/// An empty sparse matrix with room wherever two components share an element or are coupled. Each rank fills the rows
+/// What a matrix couples: a consistent mass does not couple different axes.
+enum class Coupling : std::uint8_t { of_all_axes, of_each_axis };
+
+/// A sparse matrix of zeros wherever two components share an element or are coupled. Each rank fills the rows
 /// it owns, and what it adds to others is dropped: their owners add the same. Collective.
 /// @param bodies   whose components the rows are, as the part has them one after the other
 /// @param coupled  sets of local nodes
 /// @throws std::runtime_error where PETSc can't
 [[nodiscard]] parallel::Handle<Mat> create_matrix(std::span<const mesh::BodyPart> bodies, const Components& components,
-                                                  MPI_Comm communicator,
+                                                  Coupling coupling, MPI_Comm communicator,
                                                   std::span<const std::vector<Index>> coupled = {});
 
 /// The matrix of an element at a place in BodyPart::element_ids: [3 nodes x 3 nodes], row and column 3 a + i for node a
