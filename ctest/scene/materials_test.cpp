@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "deck_fixture.hpp"
-#include "idiophone/scene/undamped.hpp"
+#include "idiophone/scene/body_materials.hpp"
 
 namespace idiophone::scene {
 

@@ -4,8 +4,8 @@
 
 #include "idiophone/instruments/sound_maps/air_mass.hpp"
 #include "idiophone/instruments/sound_maps/small_vibrations.hpp"
+#include "idiophone/scene/body_materials.hpp"
 #include "idiophone/scene/joined_bodies.hpp"
-#include "idiophone/scene/undamped.hpp"
 #include "listener_warnings.hpp"
 
 namespace idiophone::app {

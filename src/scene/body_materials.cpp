@@ -2,12 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "gltf_object.hpp"
+#include "idiophone/scene/body_materials.hpp"
 #include "idiophone/scene/ranges.hpp"
 #include "idiophone/scene/sections.hpp"
-#include "idiophone/scene/undamped.hpp"
 
 namespace idiophone::scene {
 
@@ -22,7 +23,15 @@ std::vector<MaterialRegion> Body::all_regions() const {
   return {whole};
 }
 
-bool is_undamped(const Body& body, const std::vector<Material>& materials) {
+double softest_modulus(const Body& body, std::span<const Material> materials) {
+  double softest = std::numeric_limits<double>::infinity();
+  for (const MaterialRegion& region : body.all_regions()) {
+    softest = std::min(softest, materials[region.material].young);
+  }
+  return softest;
+}
+
+bool is_undamped(const Body& body, std::span<const Material> materials) {
   return std::ranges::none_of(body.all_regions(), [&](const MaterialRegion& region) {
     const Damping& damping = materials[region.material].damping;
     return damping.mass > 0 || damping.stiffness > 0 || damping.loss;

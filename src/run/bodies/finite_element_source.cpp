@@ -6,26 +6,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "body_surfaces.hpp"
 #include "idiophone/foundation/parallel/reduce.hpp"
 #include "idiophone/run/bodies/prepared_surface.hpp"
+#include "idiophone/scene/body_materials.hpp"
 #include "idiophone/solids/modal_bodies/rotation_limit.hpp"
 
 namespace idiophone::bodies {
-
-/// Young's modulus of the softest material that takes part in a contact, Pa.
-static double softest_modulus(const scene::Scene& scene, const scene::Contact& contact) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const std::size_t body : {contact.body, contact.other.value_or(contact.body)}) {
-    for (const scene::MaterialRegion& region : scene.bodies[body].all_regions()) {
-      least = std::min(least, scene.materials[region.material].young);
-    }
-  }
-  return least;
-}
 
 std::int64_t sound_samples(const scene::Scene& scene) {
   return std::max<std::int64_t>(1, std::llround(scene.time.duration * scene.audio.rate));
@@ -191,7 +180,11 @@ void FiniteElementSource::check_overlaps() const {
                     place[0], place[1], place[2], place[3], depth);
     const char* remedy = is_with_itself ? "change the mesh" : "move them";
     const double pressure = ready_.contact_surfaces.stiffness[c] * depth;
-    if (const double modulus = softest_modulus(ready_.scene, contact); pressure > modulus) {
+    const auto modulus_of = [&](std::size_t body) {
+      return scene::softest_modulus(ready_.scene.bodies[body], ready_.scene.materials);
+    };
+    const double modulus = std::min(modulus_of(contact.body), modulus_of(contact.other.value_or(contact.body)));
+    if (pressure > modulus) {
       throw std::runtime_error(fmt::format(
           "{}: a contact pressure of {:.3g} Pa, more than Young's modulus of {:.3g} Pa; {} so that they only "
           "touch",

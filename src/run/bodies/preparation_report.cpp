@@ -7,7 +7,7 @@
 
 #include "idiophone/foundation/dense/dense.hpp"
 #include "idiophone/foundation/element/type.hpp"
-#include "idiophone/scene/undamped.hpp"
+#include "idiophone/scene/body_materials.hpp"
 #include "idiophone/solids/joints/beam_stiffness.hpp"
 #include "idiophone/solids/solid/relaxation.hpp"
 #include "steps.hpp"

@@ -3,11 +3,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "facing_surface.hpp"
 #include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/scene/body_materials.hpp"
 #include "idiophone/solids/joints/meshed_joint.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 #include "links.hpp"
@@ -21,13 +21,10 @@ constexpr double rigid_slice = 0.01;
 
 /// The smallest Young's modulus of the two bodies' materials, Pa.
 double softest_modulus(const scene::Joint& joint, const scene::Solids& solids) {
-  double softest = std::numeric_limits<double>::infinity();
-  for (const scene::JoinedSurface& surface : joint.surfaces) {
-    for (const scene::MaterialRegion& region : solids.bodies[surface.body].all_regions()) {
-      softest = std::min(softest, solids.materials[region.material].young);
-    }
-  }
-  return softest;
+  const auto of_body = [&](const scene::JoinedSurface& surface) {
+    return scene::softest_modulus(solids.bodies[surface.body], solids.materials);
+  };
+  return std::min(of_body(joint.surfaces[0]), of_body(joint.surfaces[1]));
 }
 
 /// Whether a point of a surface lies under a bolt's washer, or there is none.

@@ -1,16 +1,20 @@
 #pragma once
-// Bodies that ring for ever, because a material has no damping unless the deck gives it one.
+// What the materials of a body have in common.
 
-#include <vector>
+#include <span>
 
 #include "idiophone/scene/body.hpp"
 #include "idiophone/scene/material.hpp"
 
 namespace idiophone::scene {
 
+/// The smallest Young's modulus of a body's materials, Pa.
+/// @param materials  of the scene
+[[nodiscard]] double softest_modulus(const Body& body, std::span<const Material> materials);
+
 /// Whether no material of a body has damping: then only the air and what touches it take energy from its vibration.
 /// @param materials  of the scene
-[[nodiscard]] bool is_undamped(const Body& body, const std::vector<Material>& materials);
+[[nodiscard]] bool is_undamped(const Body& body, std::span<const Material> materials);
 
 /// What is said of such a body.
 inline constexpr const char* undamped_in_words =
