@@ -87,18 +87,33 @@ std::vector<BoltForcePoint> points_of_bolts(const scene::Solids& solids, const J
   return points;
 }
 
+std::vector<std::size_t> bolts_with_preload(std::span<const scene::Joint> joints) {
+  std::vector<std::size_t> bolts;
+  for (std::size_t joint = 0; joint < joints.size(); ++joint) {
+    if (has_preload(joints[joint])) {
+      bolts.push_back(joint);
+    }
+  }
+  return bolts;
+}
+
 /// Those that have a point on any rank. Collective.
-std::vector<BoltForce> forces_with_points(const std::vector<BoltForcePoint>& points, std::size_t joints,
-                                          MPI_Comm communicator) {
-  std::vector<int> has_points(joints * joints);
+std::vector<BoltForce> forces_with_points(const std::vector<BoltForcePoint>& points,
+                                          std::span<const scene::Joint> joints, MPI_Comm communicator) {
+  const std::vector<std::size_t> bolts = bolts_with_preload(joints);
+  if (bolts.empty()) {
+    return {};
+  }
+  std::vector<int> has_points(bolts.size() * joints.size());
   for (const BoltForcePoint& point : points) {
-    has_points[point.force.bolt * joints + point.force.joint] = 1;
+    const auto row = static_cast<std::size_t>(std::ranges::find(bolts, point.force.bolt) - bolts.begin());
+    has_points[row * joints.size() + point.force.joint] = 1;
   }
   parallel::reduce(has_points, MPI_MAX, communicator);
   std::vector<BoltForce> forces;
   for (std::size_t place = 0; place < has_points.size(); ++place) {
     if (has_points[place] != 0) {
-      forces.push_back({place / joints, place % joints});
+      forces.push_back({bolts[place / joints.size()], place % joints.size()});
     }
   }
   return forces;
@@ -110,7 +125,7 @@ BoltForces::BoltForces(const scene::Solids& solids, const Joints& joints, const 
     : joints_(joints),
       part_(part),
       points_(points_of_bolts(solids, joints, part)),
-      forces_(forces_with_points(points_, solids.joints.size(), communicator)) {
+      forces_(forces_with_points(points_, solids.joints, communicator)) {
   for (const BoltForcePoint& point : points_) {
     force_of_point_.push_back(static_cast<std::size_t>(std::ranges::find(forces_, point.force) - forces_.begin()));
   }
