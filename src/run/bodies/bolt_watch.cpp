@@ -59,8 +59,7 @@ void BoltWatch::take(std::size_t force, double taken, double time) {
     const scene::Joint& bolt = ready_.scene.joints[which.bolt];
     spdlog::warn(
         "joint {}: at {:.6g} s the motion takes {:.4g} N off {}, which its preload of {:.4g} N gives: {}. Give the "
-        "bolt a "
-        "larger preload, or hit less hard",
+        "bolt a larger preload, or hit less hard",
         bolt.name, time, taken * bolt.shank->preload, what(which, ready_.scene), bolt.shank->preload,
         which.is_of_shank() ? without_pull : without_pressure);
   }
