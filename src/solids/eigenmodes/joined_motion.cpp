@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <span>
 
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/scene/joined_solids.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 #include "idiophone/solids/joints/joints.hpp"
+#include "idiophone/solids/motion/deforming_cause.hpp"
+#include "idiophone/solids/motion/prestress_balance.hpp"
 
 namespace idiophone::eigenmodes {
 
@@ -37,6 +40,17 @@ const scene::ModalModel& most_demanding(std::span<const scene::Body> assembly) {
   return *std::ranges::max_element(assembly, {}, demand)->modal;
 }
 
+/// @throws deck::DeckError where a prestress deforms a body of an assembly that has a modal one
+void refuse_deformed(const scene::Solids& assembly, const mesh::Part& part, const motion::Attachments& attachments) {
+  const motion::FiniteElementDynamics dynamics(assembly, part, attachments);
+  std::vector<std::size_t> bodies(assembly.bodies.size());
+  std::iota(bodies.begin(), bodies.end(), 0);
+  const std::vector<char> deformed = motion::deformed_by_prestress(assembly, part, dynamics, MPI_COMM_SELF);
+  if (const auto cause = motion::deforming_cause(assembly, bodies, deformed)) {
+    motion::refuse_modal(assembly, bodies, *cause);
+  }
+}
+
 /// @param bodies  numbers of the assembly's bodies
 void add_motions(const scene::Solids& solids, const std::vector<std::size_t>& bodies,
                  const std::vector<mesh::Mesh>& meshes, std::map<std::size_t, JoinedMotion>& motions) {
@@ -50,6 +64,7 @@ void add_motions(const scene::Solids& solids, const std::vector<std::size_t>& bo
   std::ranges::transform(bodies, std::back_inserter(own), [&](std::size_t b) { return meshes[b]; });
   const motion::Attachments attachments = motion::attach(assembly, own);
   const mesh::Part part = mesh::distribute(own, MPI_COMM_SELF);
+  refuse_deformed(assembly, part, attachments);
   Modes found;
   try {
     found = find_modes(assembly, part, attachments, wanted_modes(assembly.bodies), MPI_COMM_SELF);

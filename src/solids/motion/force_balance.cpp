@@ -17,7 +17,7 @@ ForceBalance::ForceBalance(const scene::Solids& solids, const mesh::Part& part, 
       state_(part.node_ids.size()),
       force_(part.node_ids.size()) {
   number_components();
-  load_.resize(component_.size());
+  load_.resize(place_of_unknown_.size());
   dynamics.loads().add_support_stiffness(support_);
   if (is_loaded) {
     add_gravity(solids.gravity);
@@ -40,13 +40,14 @@ void ForceBalance::number_components() {
   for (const std::size_t body : bodies_) {
     for (Index c = 3 * part_.bodies[body].owned_begin; c < 3 * part_.bodies[body].owned_end; ++c) {
       components_.number[c] = components_.end++;
-      component_.push_back(c);
+      place_of_unknown_.push_back(c);
     }
   }
 }
 
 bool ForceBalance::is_held() const {
-  return held_.size() >= 6 || std::ranges::any_of(support_, [](double stiffness) { return stiffness > 0; });
+  return held_.size() >= 6 ||
+         std::ranges::any_of(place_of_unknown_, [&](Index component) { return support_[component / 3] > 0; });
 }
 
 double ForceBalance::load_norm() const {
@@ -61,11 +62,11 @@ void ForceBalance::residual(std::span<const double> u, std::span<double> unbalan
   }
   dynamics_.joints().add_force(state_, force_);
   for (std::size_t c = 0; c < size(); ++c) {
-    const Index node = component_[c] / 3;
-    unbalanced[c] = support_[node] * u[c] - force_[node].component[component_[c] % 3] - fraction_ * load_[c];
+    const Index node = place_of_unknown_[c] / 3;
+    unbalanced[c] = support_[node] * u[c] - force_[node].component[place_of_unknown_[c] % 3] - fraction_ * load_[c];
   }
   for (const Index c : held_) {
-    const double place = places_[component_[c] / 3].displacement[component_[c] % 3];
+    const double place = places_[place_of_unknown_[c] / 3].displacement[place_of_unknown_[c] % 3];
     unbalanced[c] = stiffness_scale() * (u[c] - fraction_ * place);
   }
 }
@@ -79,7 +80,7 @@ void ForceBalance::jacobian(std::span<const double> u, Mat matrix) {
   }
   add_joint_stiffness(dynamics_.joints(), state_, components_, matrix);
   for (std::size_t c = 0; c < size(); ++c) {
-    const double stiffness = support_[component_[c] / 3];
+    const double stiffness = support_[place_of_unknown_[c] / 3];
     petsc(MatSetValue(matrix, static_cast<PetscInt>(c), static_cast<PetscInt>(c), stiffness, ADD_VALUES));
   }
   petsc(MatAssemblyBegin(matrix, MAT_FINAL_ASSEMBLY));
@@ -114,7 +115,7 @@ void ForceBalance::add_pluck(const mesh::Patch& patch, const Vector3& force) {
 
 void ForceBalance::set_displacements(std::span<const double> u) {
   for (std::size_t c = 0; c < size(); ++c) {
-    state_[component_[c] / 3].displacement[component_[c] % 3] = u[c];
+    state_[place_of_unknown_[c] / 3].displacement[place_of_unknown_[c] % 3] = u[c];
   }
 }
 

@@ -34,7 +34,7 @@ class ForceBalance {
   void jacobian(std::span<const double> u, Mat matrix);
 
   /// Where each unknown is among all nodes: 3 node + axis.
-  [[nodiscard]] const std::vector<Index>& components() const { return component_; }
+  [[nodiscard]] const std::vector<Index>& places_of_unknowns() const { return place_of_unknown_; }
 
   /// An empty tangent stiffness.
   [[nodiscard]] parallel::Handle<Mat> create_tangent() const;
@@ -52,9 +52,9 @@ class ForceBalance {
   std::vector<std::size_t> bodies_;
   const scene::Material& material_;  ///< of the first body
   Components components_;
-  std::vector<Index> component_;  ///< [unknowns]
-  std::vector<double> support_;   ///< N/m, [nodes]
-  std::vector<double> load_;      ///< N, [unknowns]
+  std::vector<Index> place_of_unknown_;  ///< places_of_unknowns()
+  std::vector<double> support_;          ///< N/m, [nodes]
+  std::vector<double> load_;             ///< N, [unknowns]
   double fraction_ = 1.0;
   std::vector<NodeState> places_;  ///< of the constraints, [nodes]
   std::vector<NodeState> state_;   ///< [nodes]

@@ -15,6 +15,7 @@
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/parallel/petsc.hpp"
 #include "idiophone/scene/joined_solids.hpp"
+#include "idiophone/solids/motion/deforming_cause.hpp"
 #include "idiophone/solids/motion/prestress_balance.hpp"
 
 namespace idiophone::motion {
@@ -105,43 +106,8 @@ class NewtonSolver {
   parallel::Handle<SNES> solver_;
 };
 
-/// Why and where bodies have an equilibrium of their own, for messages.
-struct Cause {
-  std::string what;  ///< "pluck 'finger'"
-  deck::Location where;
-};
-
 bool is_plucked(const scene::Solids& solids, std::size_t body) {
   return std::ranges::find(solids.plucks, body, &scene::Pluck::body) != solids.plucks.end();
-}
-
-/// None: they rest undeformed.
-/// @param bodies  that joints tie together, or one
-std::optional<Cause> cause_of(const scene::Solids& solids, const std::vector<std::size_t>& bodies,
-                              const std::vector<char>& deformed) {
-  for (const std::size_t body : bodies) {
-    const auto pluck = std::ranges::find(solids.plucks, body, &scene::Pluck::body);
-    if (pluck != solids.plucks.end()) {
-      return Cause{fmt::format("pluck '{}'", pluck->name), pluck->place.where};
-    }
-    if (deformed[body] != 0) {
-      return Cause{fmt::format("the prestress of body '{}'", solids.bodies[body].name),
-                   solids.bodies[body].prestress->where};
-    }
-  }
-  return std::nullopt;
-}
-
-/// @throws deck::DeckError where one of several bodies is modal: the modes of a body know nothing of the pull of a
-/// joint
-void refuse_modal(const scene::Solids& solids, const std::vector<std::size_t>& bodies, const Cause& cause) {
-  const auto is_modal = [&](std::size_t body) { return solids.bodies[body].modal.has_value(); };
-  if (const auto modal = std::ranges::find_if(bodies, is_modal); bodies.size() > 1 && modal != bodies.end()) {
-    throw deck::DeckError(cause.where,
-                          fmt::format("{} deforms bodies that joints tie together, and '{}' is modal, which can't be "
-                                      "deformed by a joint at rest: use model: {{type: finite_elements}}",
-                                      cause.what, solids.bodies[*modal].name));
-  }
 }
 
 /// The names of bodies, for messages: 'string', 'bridge'.
@@ -154,10 +120,10 @@ std::string names_of(const scene::Solids& solids, const std::vector<std::size_t>
 }
 
 /// Displacements of the unknowns. @throws deck::DeckError, as static_equilibrium()
-std::vector<double> solve(ForceBalance& problem, const std::string& bodies, const Cause& cause) {
+std::vector<double> solve(ForceBalance& problem, const std::string& bodies, const DeformingCause& cause) {
   if (!problem.is_held()) {
-    throw deck::DeckError(cause.where, fmt::format("{} has no rest under {}: nothing holds it; give it fixed groups or "
-                                                   "supports",
+    throw deck::DeckError(cause.where, fmt::format("nothing holds {} under {}, so there is no rest: "
+                                                   "give fixed groups or supports",
                                                    bodies, cause.what));
   }
   NewtonSolver newton(problem);
@@ -181,7 +147,7 @@ std::vector<double> static_equilibrium(const scene::Solids& solids, const mesh::
   const std::vector<char> deformed = deformed_by_prestress(solids, part, dynamics, MPI_COMM_SELF);
   std::vector<double> displacement;
   for (const std::vector<std::size_t>& bodies : scene::assemblies(solids)) {
-    const std::optional<Cause> cause = cause_of(solids, bodies, deformed);
+    const std::optional<DeformingCause> cause = deforming_cause(solids, bodies, deformed);
     if (!cause) {
       continue;
     }
@@ -200,7 +166,7 @@ std::vector<double> static_equilibrium(const scene::Solids& solids, const mesh::
     }
     displacement.resize(3UL * part.global_nodes);
     for (std::size_t c = 0; c < u.size(); ++c) {
-      displacement[problem.components()[c]] = u[c];
+      displacement[problem.places_of_unknowns()[c]] = u[c];
     }
   }
   return displacement;
