@@ -62,7 +62,7 @@ Operators::Operators(const scene::Solids& solids, const mesh::Part& part, const 
   is_deformed_ = std::ranges::count(deformed, 1) > 0;
   std::vector<solid::NodeState> rest(part.node_ids.size());
   if (is_deformed_) {
-    rest = rest_under_prestress(solids, part, dynamics_, support_, components_, communicator);
+    rest = rest_under_prestress(solids, part, dynamics_, deformed, support_, components_, communicator);
   }
   assemble(part, rest, mass, communicator);
 }

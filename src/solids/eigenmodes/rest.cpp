@@ -114,11 +114,10 @@ class Newton {
 
 std::vector<NodeState> rest_under_prestress(const scene::Solids& solids, const mesh::Part& part,
                                             const motion::FiniteElementDynamics& dynamics,
-                                            std::span<const double> support, const motion::Components& components,
-                                            MPI_Comm communicator) {
+                                            std::span<const char> deformed, std::span<const double> support,
+                                            const motion::Components& components, MPI_Comm communicator) {
   std::vector<NodeState> state(part.node_ids.size());
-  const scene::Body& body = *std::ranges::find_if(
-      solids.bodies, [](const scene::Body& candidate) { return candidate.prestress.has_value(); });
+  const scene::Body& body = solids.bodies[std::ranges::find(deformed, 1) - deformed.begin()];
   const auto refuse = [&](const std::string& why) {
     throw deck::DeckError(body.prestress->where, fmt::format("bodies.{}.prestress {}", body.name, why));
   };
