@@ -66,8 +66,8 @@ void refuse_with_joints(const ModesOptions& options, const scene::Solids& solids
   }
   if (options.estimates == eigenmodes::Estimates::all && !eigenmodes::can_estimate(solids)) {
     throw std::runtime_error(
-        "--estimate is for bodies whose joints are glue or bolts without shank, and whose elements are all tet4, all "
-        "tet10 or all hexahedra: leave it out");
+        "--estimate is for bodies whose joints are glue, and whose elements are all tet4, all tet10 or all hexahedra: "
+        "leave it out");
   }
 }
 

@@ -121,6 +121,52 @@ TEST(JointedModes, HaveAnErrorOfTheMesh) {
   }
 }
 
+/// Two blocks with a gap between them, joined by glue.
+Assembly blocks_with_gap(double gap) {
+  Assembly blocks;
+  blocks.add(support::block_mesh(element::tet10, {0.1, 0.03, 0.02}, {3, 1, 1}), Vector3::Zero());
+  blocks.add(support::block_mesh(element::tet10, {0.08, 0.03, 0.02}, {2, 1, 1}), {0.1 + gap, 0, 0});
+  blocks.join("x1", "x0", scene::JointStiffness{1e13, 4e12});
+  return blocks;
+}
+
+const double face_width = std::sqrt(0.03 * 0.02 / 2);  // m, of two triangles
+
+std::vector<double> estimates_of(const Assembly& blocks, const Assembly& modes_of) {
+  std::vector<std::vector<double>> shapes;
+  std::ranges::transform(modes_of.find(3).modes, std::back_inserter(shapes), &Mode::shape);
+  return mesh_errors(blocks.scene, blocks.meshes, MassMatrix::lumped, shapes, Estimates::all);
+}
+
+/// The refined faces are half as wide, so that the reach they would choose is below the gap.
+TEST(JointedModes, HaveAnErrorOfTheMeshAcrossAGap) {
+  const Assembly apart = blocks_with_gap(0.07 * face_width);
+  const Assembly close = blocks_with_gap(0.01 * face_width);
+  const std::vector<double> found = estimates_of(apart, apart), expected = estimates_of(close, close);
+  for (std::size_t mode = 0; mode < expected.size(); ++mode) {
+    EXPECT_NEAR(found[mode], expected[mode], 0.02 * std::abs(expected[mode])) << mode;
+  }
+}
+
+TEST(JointedModes, HaveNoErrorOfTheMeshWhereTheSurfacesDoNotMeet) {
+  const Assembly close = blocks_with_gap(0.01 * face_width);
+  const std::vector<double> estimates = estimates_of(blocks_with_gap(0.11 * face_width), close);
+  EXPECT_EQ(std::ranges::count_if(estimates, [](double error) { return std::isnan(error); }), 3);
+  EXPECT_NE(left_out(estimates, 3, Estimates::all).find("joined surfaces do not meet"), std::string::npos);
+}
+
+TEST(JointedModes, HaveAnErrorOfTheMeshWhereAllJointsAreGlueAndAllElementsOfOneKind) {
+  Assembly blocks = blocks_with_gap(0.0);
+  EXPECT_TRUE(can_estimate(blocks.scene));
+  blocks.scene.joints.front().type = scene::JointType::bolt;
+  EXPECT_FALSE(can_estimate(blocks.scene));
+  blocks = tied_bars(element::hex(3, 2));
+  blocks.scene.bodies.back().element = element::hex(4, 2);
+  EXPECT_TRUE(can_estimate(blocks.scene));
+  blocks.scene.bodies.back().element = element::tet10;
+  EXPECT_FALSE(can_estimate(blocks.scene));
+}
+
 constexpr double wire_length = 0.65, cell = wire_length / 13, cooled = 200;  // m, m, K
 
 /// A piece of steel wire of 0.5 x 0.4 mm along z that was cooled down.

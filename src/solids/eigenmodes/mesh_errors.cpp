@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/solids/solid/inverted_element.hpp"
 #include "refined_problem.hpp"
 #include "refined_values.hpp"
@@ -79,20 +80,24 @@ std::vector<double> mesh_errors(const scene::Solids& solids, const std::vector<m
     return errors;
   } catch (const solid::InvertedElement&) {
     return std::vector(shapes.size(), unknown);
+  } catch (const deck::DeckError&) {  // of the refined bodies: an estimate must not cost the modes
+    return std::vector(shapes.size(), unknown);
   }
 }
 
 bool can_estimate(const scene::Solids& solids) {
-  return std::ranges::all_of(solids.joints, &scene::Joint::is_layer) &&
-         std::ranges::all_of(solids.bodies, [&](const scene::Body& body) {
-           return body.element.kind == solids.bodies.front().element.kind;
-         });
+  const auto is_glue = [](const scene::Joint& joint) { return joint.type == scene::JointType::glue; };
+  const auto has_elements_of_first = [&](const scene::Body& body) {
+    return element::name(body.element) == element::name(solids.bodies.front().element);
+  };
+  return std::ranges::all_of(solids.joints, is_glue) && std::ranges::all_of(solids.bodies, has_elements_of_first);
 }
 
 std::string left_out(std::span<const double> errors, std::size_t modes, Estimates wanted) {
   if (!errors.empty() && std::ranges::all_of(errors, [](double error) { return std::isnan(error); })) {
-    return "the error of the mesh is not estimated: a strongly curved element turns inside out where it is divided. A "
-           "finer mesh avoids that";
+    return "the error of the mesh is not estimated: a strongly curved element turns inside out where it is divided, or "
+           "on the divided elements the joined surfaces do not meet, or the bodies find no rest under their prestress. "
+           "A finer mesh avoids that";
   }
   const auto estimated = std::ranges::count_if(errors, [](double error) { return !std::isnan(error); });
   if (wanted != Estimates::quick || estimated == static_cast<std::ptrdiff_t>(modes)) {

@@ -13,16 +13,21 @@ using parallel::petsc;
 
 namespace {
 
-/// All bodies of some solids, which one body or joints make an assembly.
-scene::Assembly assembly_with_elements(const scene::Solids& solids, std::span<const mesh::Mesh> meshes) {
+/// The assembly of the first body, which has all bodies of the solids, with the elements of the meshes.
+/// @param joints  of the given meshes, whose reach these joints get
+scene::Assembly assembly_on(const scene::Solids& solids, std::span<const mesh::Mesh> meshes,
+                            std::span<const joints::MeshedJoint> joints) {
   scene::Assembly assembly(solids, 0);
   for (std::size_t b = 0; b < meshes.size(); ++b) {
     assembly.bodies[b].element = meshes[b].element;
   }
+  for (const joints::MeshedJoint& meshed : joints) {
+    assembly.joints[meshed.joint].reach = meshed.reach;
+  }
   return assembly;
 }
 
-/// @param joints  whose stiffness is to be that of the joints; none: their own
+/// @param joints  as MeshedBodies has them
 motion::Attachments attached(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
                              std::span<const joints::MeshedJoint> joints) {
   motion::Attachments attachments = motion::attach(solids, meshes);
@@ -72,7 +77,7 @@ void set_sweep(KSP smoother, MatSORType direction) {
 
 MeshedBodies::MeshedBodies(const scene::Solids& all, const std::vector<mesh::Mesh>& meshes, MassMatrix mass,
                            std::span<const joints::MeshedJoint> joints)
-    : assembly(assembly_with_elements(all, meshes)),
+    : assembly(assembly_on(all, meshes, joints)),
       solids(assembly.solids()),
       part(mesh::distribute(meshes, MPI_COMM_SELF)),
       attachments(attached(solids, meshes, joints)),

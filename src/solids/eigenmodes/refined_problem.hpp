@@ -15,7 +15,8 @@ namespace idiophone::eigenmodes {
 
 /// Operators of a body, or of bodies that joints tie together, on some meshes, with all that they refer to.
 struct MeshedBodies {
-  /// @param joints  that have the stiffness of these joints, if any, however wide the elements are
+  /// @param joints  of the given meshes, whose stiffness and reach these joints get: those that the deck leaves open
+  ///                depend on the width of the faces. Empty: their own
   /// @throws deck::DeckError as motion::attach()
   MeshedBodies(const scene::Solids& all, const std::vector<mesh::Mesh>& meshes, MassMatrix mass,
                std::span<const joints::MeshedJoint> joints = {});
@@ -34,7 +35,7 @@ struct MeshedBodies {
 
 class RefinedProblem {
  public:
-  /// @param solids  of one body, or of bodies that joints tie together, and these joints are layers
+  /// @param solids  of one body, or of bodies that joints tie together, and these joints are glue
   /// @param meshes  of the bodies, all of elements of one kind
   /// @param lowest  shape of the lowest mode, [3 x nodes of all bodies]
   /// @throws deck::DeckError as motion::attach(), std::runtime_error where PETSc can't

@@ -99,6 +99,7 @@ MeshedJoint mesh_layer(const scene::Joint& joint, const scene::Solids& solids, F
   MeshedJoint meshed{.normal = stiffness.normal,
                      .tangential = stiffness.tangential,
                      .damping = joint.damping,
+                     .reach = facing.reach(),
                      .points = {},
                      .weights = {}};
   const Joiner joiner(joint, facing, std::max(first.front().order(), second.front().order()) + 1);

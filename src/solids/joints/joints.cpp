@@ -22,6 +22,7 @@ MeshedJoint local_joint(const MeshedJoint& joint, const mesh::Part& part) {
                     .normal = joint.normal,
                     .tangential = joint.tangential,
                     .damping = joint.damping,
+                    .reach = joint.reach,
                     .points = {},
                     .weights = {}};
   for (const JointPoint& point : joint.points) {

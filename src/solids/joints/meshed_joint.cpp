@@ -25,7 +25,7 @@ std::vector<MeshedJoint> broadcast(std::vector<MeshedJoint> joints, MPI_Comm com
   for (MeshedJoint& joint : joints) {
     parallel::broadcast(joint.joint, communicator);
     parallel::broadcast(joint.resists_turning, communicator);
-    for (double* number : {&joint.normal, &joint.tangential, &joint.damping}) {
+    for (double* number : {&joint.normal, &joint.tangential, &joint.damping, &joint.reach}) {
       parallel::broadcast(*number, communicator);
     }
     parallel::broadcast(joint.points, communicator);

@@ -37,13 +37,14 @@ enum class Estimates {
 
 /// The same for some of the modes.
 /// @param watch  if it ends the work, the modes that are left have no estimate
-/// @return [modes] cents, NaN of modes without an estimate, and of all where a curved element can't be divided; empty
-///         if all would take too long
+/// @return [modes] cents, NaN of modes without an estimate, and of all where a curved element can't be divided or the
+///         refined bodies are no assembly at rest (deck::DeckError); empty if all would take too long
 [[nodiscard]] std::vector<double> mesh_errors(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
                                               MassMatrix mass, std::span<const std::vector<double>> shapes,
                                               Estimates wanted, const PartWatch& watch = {});
 
-/// Whether mesh_errors() knows the joints and elements of bodies: the joints are layers, and all elements of one kind.
+/// Whether mesh_errors() knows the joints and elements of bodies: the joints are glue, and all elements of one kind.
+/// The area under the washer of a bolt changes with the mesh.
 [[nodiscard]] bool can_estimate(const scene::Solids& solids);
 
 /// What mesh_errors() leaves out, as a sentence for the user; empty if it leaves out nothing.

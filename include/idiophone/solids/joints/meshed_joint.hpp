@@ -41,6 +41,7 @@ struct MeshedJoint {
   double normal = 0.0;      ///< stiffness, Pa/m; N/m of a spring, hinge or shank
   double tangential = 0.0;  ///< stiffness, Pa/m; N/m of a spring, hinge or shank
   double damping = 0.0;     ///< relaxation time, s
+  double reach = 0.0;       ///< of a layer: up to this distance the surfaces are joined, m
   std::vector<JointPoint> points;
   std::vector<NodeWeight> weights;  ///< of all points
 
