@@ -23,6 +23,7 @@ STIFF = ("--set", "materials.rubber={young: 2.0e11, poisson: 0.3, density: 7850}
          "--set", "time.duration=0.002", "--set", "audio.rate=16000")
 STUD = ("stud: {type: bolt, between: [left.clamp, right.tip], axis: [[0, 0, 0], [0.1205, 0, 0]], radius: 0.02, shank: 0.003, "
         "material: wire, preload: 30}")
+MODAL = tuple(argument for body in ("left", "right") for argument in ("--set", f"bodies.{body}.model={{type: modal, count: 6}}"))
 PAD = "pad: {between: [left.tip, right.clamp], stiffness: {normal: 1.0e9, tangential: 1.0e9}}"
 SCORE = """
 duration: 0.1
@@ -121,16 +122,18 @@ class Joints(program.TestCase):
         self.run_in_jobs("joined", self.output, *BOLT, ranks=4 * (2, 1))
         self.require_same(self.output / "joined.h5", alone)
 
-    def said_of_bolts(self, joints, speed, ranks=(1,), jobs=1):
+    def said_of_bolts(self, joints, speed, models=(), ranks=(1,), jobs=1):
         """What a run of two steel blocks of 0.2826 kg says of bolts. They fly apart, each at a speed.
-        @param ranks  of its jobs in turn
-        @param jobs   at most so many: if more than one, each stops at the end of its first block"""
+        @param models  MODAL: modal blocks
+        @param ranks   of its jobs in turn
+        @param jobs    at most so many: if more than one, each stops at the end of its first block"""
         motion = "--set", f"bodies.left.velocity=[{-speed}, 0, 0]", "--set", f"bodies.right.velocity=[{speed}, 0, 0]"
         limit = ("--set", "time.wall_clock_limit=1e-6") if jobs > 1 else ()
         said = ""
         with tempfile.TemporaryDirectory() as folder:
             for _, count in zip(range(jobs), itertools.cycle(ranks)):
-                job = program.run("joined", folder, *STIFF, *motion, *limit, "--set", f"joints={{{joints}}}", "--resume", ranks=count)
+                job = program.run("joined", folder, *STIFF, *models, *motion, *limit, "--set", f"joints={{{joints}}}", "--resume",
+                                  ranks=count)
                 said += job.stdout + job.stderr
                 if job.returncode != program.RESUMABLE:
                     break
@@ -147,6 +150,7 @@ class Joints(program.TestCase):
         resumed = self.said_of_bolts(STUD, -0.1, ranks=(3, 1), jobs=10)
         self.assertEqual([resumed[0], resumed[-1]], said)
         self.assertEqual(sum("the motion takes" in line for line in resumed), 1)
+        self.assertEqual(self.said_of_bolts(STUD, -0.1, MODAL)[1:], said[1:])
 
     def test_parts_that_a_blow_pulls_apart_are_warned_of(self):
         # Likewise with the stiffness of stud and pad: their forces are as 469 to 600, and 0.2 m/s make 77.7 N.
@@ -157,6 +161,7 @@ class Joints(program.TestCase):
         self.assertIn("the motion took at most 1.45 of its preload off the pressure at the joint 'pad'", said[1])
         self.assertIn("the motion took at most 1.13 of its preload off the pull of its shank", said[2])
         self.assertEqual(self.said_of_bolts(f"{PAD}, {STUD}", 0.1, ranks=(3,)), said)
+        self.assertEqual(self.said_of_bolts(f"{PAD}, {STUD}", 0.1, MODAL)[1:], said[1:])
         self.assertEqual(len(self.said_of_bolts(f"{PAD}, {STUD}", 0.06)), 2)  # 0.87 and 0.68
 
     def test_bodies_that_pull_at_each_other_or_are_plucked_start_in_equilibrium(self):
@@ -177,10 +182,24 @@ class Joints(program.TestCase):
         plucked = program.contents(self.output / "joined.h5")["energy"]
         total = plucked[:, :4].sum(axis=1) + plucked[:, 5]
         self.assertGreater(plucked[:, 0].max(), 0.1 * (total[0] - energy[0, [1, 5]].sum()))
-        for what, cause in (at_rest, "the prestress of body 'right'"), (at_rest[:8] + pluck, "pluck 'finger'"):
-            job = program.run("joined", self.output, *what, "--set", "bodies.left.model={type: modal, count: 3}")
+        loose = at_rest[:8] + at_rest[10:]  # nothing holds the body on the right by itself
+        for body, what, cause in ("left", at_rest, "the prestress of body 'right'"), (
+                "right", loose, "the prestress of body 'right'"), ("left", at_rest[:8] + pluck, "pluck 'finger'"):
+            job = program.run("joined", self.output, *what, "--set", f"bodies.{body}.model={{type: modal, count: 3}}")
             self.require_status(job, program.WRONG_DECK)
-            self.assertIn(f"{cause} deforms bodies that joints tie together, and 'left' is modal", job.stderr)
+            self.assertIn(f"{cause} deforms bodies that joints tie together, and '{body}' is modal", job.stderr)
+
+    def test_bodies_without_rest_are_refused_where_the_cause_is(self):
+        pluck = ("--set", "loads={finger: {type: pluck, body: left, at: [0.05, 0, 0.01], force: [0, 0, -1]}}", "--set", "joints={}",
+                 "--set", "bodies.right.supports={cord: {at: [0.1, 0, 0.01], radius: 0.02, stiffness: 1000}}")
+        job = program.run("joined", self.output, *pluck)
+        self.require_status(job, program.WRONG_DECK)
+        self.assertIn("nothing holds body 'left' under pluck 'finger', so there is no rest", job.stderr)
+        only_right_is_deformed = ("--set", "bodies.left.fixed=[clamp, tip]", "--set", "bodies.left.prestress={xx: 1000}",
+                                  "--set", "bodies.right.prestress={yz: 1.0e11}")
+        job = program.idiophone("modes", DECK, *only_right_is_deformed, "--output-folder", self.output)
+        self.require_status(job, program.WRONG_DECK)
+        self.assertIn("bodies.right.prestress leaves no static equilibrium", job.stderr)
 
     def test_bolted_bodies_have_modes_and_a_map_that_rise_with_the_preload(self):
         lowest = []
