@@ -106,12 +106,13 @@ class MeshesInParts(DecksWithMeshFiles):
 
 
     def test_what_needs_whole_meshes_reads_them(self):
+        plate = self.mesh("hexahedra", "plate").rename(self.output / "scaled.mesh.h5")
         deck = self.materials_deck()
         scaled = self.output / "scaled.yaml"
         scaled.write_text("""{name: scaled, time: {duration: 1e-4}, listeners: {ear: {type: mono, position: [0, 0, 1]}}, bodies: {plate: {mesh: %s,
-            element: hex, order: {plane: 3, thickness: 2}, material: steel, mass_scaling: {shift: 5}}}}""" % self.mesh("materials", "plate"))
-        for arguments in ("check", deck, "--ranks", 4), ("run", scaled, "--output-folder", self.output):
-            job = program.idiophone(*arguments, ranks=2, environment=PARTS)
+            element: hex, order: {plane: 3, thickness: 2}, material: steel, mass_scaling: {shift: 5}}}}""" % plate)
+        for ranks, arguments in (1, ("check", deck, "--ranks", 4)), (2, ("run", scaled, "--output-folder", self.output)):
+            job = program.idiophone(*arguments, ranks=ranks, environment=PARTS)
             self.require_status(job, program.FINISHED)
             self.assertNotIn(SAYS_SO, job.stdout + job.stderr)
 
