@@ -109,8 +109,13 @@ class MeshesInParts(DecksWithMeshFiles):
         plate = self.mesh("hexahedra", "plate").rename(self.output / "scaled.mesh.h5")
         deck = self.materials_deck()
         scaled = self.output / "scaled.yaml"
-        scaled.write_text("""{name: scaled, time: {duration: 1e-4}, listeners: {ear: {type: mono, position: [0, 0, 1]}}, bodies: {plate: {mesh: %s,
-            element: hex, order: {plane: 3, thickness: 2}, material: steel, mass_scaling: {shift: 5}}}}""" % plate)
+        scaled.write_text(f"""
+name: scaled
+time: {{duration: 1.0e-4}}
+bodies:
+  plate: {{mesh: {plate}, element: hex, order: {{plane: 3, thickness: 2}}, material: steel, mass_scaling: {{shift: 5}}}}
+listeners: {{ear: {{type: mono, position: [0, 0, 1]}}}}
+""")
         for ranks, arguments in (1, ("check", deck, "--ranks", 4)), (2, ("run", scaled, "--output-folder", self.output)):
             job = program.idiophone(*arguments, ranks=ranks, environment=PARTS)
             self.require_status(job, program.FINISHED)
