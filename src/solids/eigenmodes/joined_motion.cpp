@@ -77,7 +77,7 @@ void add_motions(const scene::Solids& solids, const std::vector<std::size_t>& bo
     if (!solids.bodies[bodies[place]].modal) {
       continue;
     }
-    const auto begin = part.bodies[place].owned_begin, end = part.bodies[place].owned_end;
+    const std::ptrdiff_t begin = part.bodies[place].owned_begin, end = part.bodies[place].owned_end;
     JoinedMotion& motion = motions[bodies[place]];
     motion.springs.assign(springs.begin() + begin, springs.begin() + end);
     for (const Mode& mode : found.modes) {

@@ -72,6 +72,7 @@ std::vector<double> mesh_errors(const scene::Solids& solids, const std::vector<m
   }
   const std::size_t count = wanted == Estimates::all ? shapes.size() : std::min(shapes.size(), quick_modes(meshes));
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> none(shapes.size(), unknown);
   try {
     std::vector<double> errors = mesh_errors(solids, meshes, mass, shapes.first(count), watch);
     if (!errors.empty()) {
@@ -79,9 +80,9 @@ std::vector<double> mesh_errors(const scene::Solids& solids, const std::vector<m
     }
     return errors;
   } catch (const solid::InvertedElement&) {
-    return std::vector(shapes.size(), unknown);
+    return none;
   } catch (const deck::DeckError&) {  // of the refined bodies: an estimate must not cost the modes
-    return std::vector(shapes.size(), unknown);
+    return none;
   }
 }
 
