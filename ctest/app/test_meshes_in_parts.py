@@ -12,6 +12,14 @@ PARTS = {"PETSC_OPTIONS": "-meshes_in_parts yes"}
 SAYS_SO = "each rank reads its part of the meshes"
 
 
+def flip(rows):
+    rows[-1, 0] ^= 1
+
+
+def exchange(rows):
+    rows[[-1, -2]] = rows[[-2, -1]]
+
+
 class DecksWithMeshFiles(program.TestCase):
     def mesh(self, name, body):
         """A mesh file of a body of a deck."""
@@ -138,42 +146,28 @@ class FaultsOfMeshesInParts(DecksWithMeshFiles):
             self.assertRegex(job.stderr, rf"{deck.name}:\d+:\d+: the mesh of body '{body}'.*{body}\.mesh\.h5")
             self.assertIn(why, job.stderr)
 
-    def test_damaged_and_changed_elements_are_refused_by_all_ranks(self):
-        deck = self.rich_deck()
-        path = self.output / "ball.mesh.h5"
+    def require_all_refused(self, deck, body, dataset, faults):
+        """@param faults  of the body's file, one at a time: (change of the rows, whether the checksum follows, what is said)"""
+        path = self.output / f"{body}.mesh.h5"
         content = path.read_bytes()
+        for change, checksum, why in faults:
+            path.write_bytes(content)
+            self.change(path, dataset, change, checksum=checksum)
+            self.require_refused(deck, body, why)
 
-        def flip(rows):
-            rows[-1, 0] ^= 1
-
-        def exchange(rows):
-            rows[[-1, -2]] = rows[[-2, -1]]
-
+    def test_damaged_and_changed_elements_are_refused_by_all_ranks(self):
         def spoil(rows):
             rows[-1, 0] = -5
 
-        for change, checksum, why in ((flip, False, "/elements does not match its checksum: the file is damaged"),
-                                      (exchange, True, "the file was changed"), (spoil, True, "/elements has the number -5")):
-            path.write_bytes(content)
-            self.change(path, "elements", change, checksum=checksum)
-            self.require_refused(deck, "ball", why)
+        self.require_all_refused(self.rich_deck(), "ball", "elements", (
+            (flip, False, "/elements does not match its checksum: the file is damaged"),
+            (exchange, True, "the file was changed"),
+            (spoil, True, "/elements has the number -5")))
 
     def test_damaged_and_changed_groups_of_elements_are_refused_by_all_ranks(self):
-        deck = self.materials_deck()
-        path = self.output / "mallet.mesh.h5"
-        content = path.read_bytes()
-
-        def flip(rows):
-            rows[-1, 0] ^= 1
-
-        def exchange(rows):
-            rows[[-1, -2]] = rows[[-2, -1]]
-
-        for change, checksum, why in ((flip, False, "/element_groups/members does not match its checksum: the file is damaged"),
-                                      (exchange, True, "/element_groups has the list 'stick', which does not ascend")):
-            path.write_bytes(content)
-            self.change(path, "element_groups/members", change, checksum=checksum)
-            self.require_refused(deck, "mallet", why)
+        self.require_all_refused(self.materials_deck(), "mallet", "element_groups/members", (
+            (flip, False, "/element_groups/members does not match its checksum: the file is damaged"),
+            (exchange, True, "/element_groups has the list 'stick', which does not ascend")))
 
 
 if __name__ == "__main__":

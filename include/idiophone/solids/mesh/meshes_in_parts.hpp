@@ -52,9 +52,8 @@ struct ReadPart {
 /// Collective.
 /// @param meshes   of the bodies; their rows are used up
 /// @param coupled  as distribute() takes them, but on all ranks
-/// @throws deck::DeckError on rank 0, and parallel::RemoteFailure elsewhere, for a file that can't be read, or has
-/// unfit
-///         elements; std::runtime_error, on every rank, where there are too many ranks
+/// @throws deck::DeckError on rank 0, and parallel::RemoteFailure elsewhere, for a file that can't be read, or that has
+///         unfit elements; std::runtime_error, on every rank, where there are too many ranks
 [[nodiscard]] ReadPart read_part(std::span<const scene::Body> bodies, MeshShares& meshes,
                                  std::span<const std::vector<Index>> coupled, MPI_Comm communicator);
 
