@@ -96,9 +96,7 @@ std::map<std::string, std::vector<std::size_t>> read_element_groups(const scene:
   });
   const std::uint32_t found = files::checksum_of_blocks(std::as_bytes(std::span(rows.members)), communicator);
   read_together(body, communicator, [&] {
-    if (rows.promised != std::int64_t{found}) {
-      refuse_checksum(std::string(mesh_file::element_groups) + mesh_file::members);
-    }
+    require_checksum(std::string(mesh_file::element_groups) + mesh_file::members, rows.promised, found);
     require_ascending(rows);
     require_numbers(mesh_file::element_groups, rows.members, static_cast<std::size_t>(element_count));
   });

@@ -27,9 +27,7 @@ ElementRows read_rows(const scene::Body& body, Index element_count, Index node_c
   });
   const std::uint32_t found = files::checksum_of_blocks(std::as_bytes(std::span(rows.nodes)), communicator);
   read_together(body, communicator, [&] {
-    if (promised != std::int64_t{found}) {
-      refuse_checksum(mesh_file::elements);
-    }
+    require_checksum(mesh_file::elements, promised, found);
     require_numbers(mesh_file::elements, rows.nodes, static_cast<std::size_t>(node_count));
   });
   return rows;

@@ -23,8 +23,10 @@ void require_numbers(const std::string& path, std::span<const Index> numbers, st
   }
 }
 
-void refuse_checksum(const std::string& path) {
-  throw std::runtime_error(fmt::format("{} does not match its checksum: the file is damaged", path));
+void require_checksum(const std::string& path, std::int64_t promised, std::uint32_t found) {
+  if (promised != std::int64_t{found}) {
+    throw std::runtime_error(fmt::format("{} does not match its checksum: the file is damaged", path));
+  }
 }
 
 MeshTables::MeshTables(const std::filesystem::path& path) : file_(hdf5::open_for_reading(path)) {

@@ -20,8 +20,10 @@ namespace idiophone::mesh {
 /// @throws std::runtime_error unless all are numbers of one of `count` things
 void require_numbers(const std::string& path, std::span<const Index> numbers, std::size_t count);
 
-/// @throws std::runtime_error that says that the dataset is damaged
-[[noreturn]] void refuse_checksum(const std::string& path);
+/// @param path      of a dataset
+/// @param promised  its checksum in the file
+/// @throws std::runtime_error that says that the dataset is damaged, unless both checksums are the same
+void require_checksum(const std::string& path, std::int64_t promised, std::uint32_t found);
 
 class MeshTables {
  public:
@@ -42,9 +44,7 @@ class MeshTables {
   template <class T, class Item>
   [[nodiscard]] std::vector<Item> read(const std::string& path, int width) const {
     std::vector<Item> items = read_rows<T, Item>(path, width, 0, rows(path, width));
-    if (checksum(path) != std::int64_t{files::checksum(std::as_bytes(std::span(items)))}) {
-      refuse_checksum(path);
-    }
+    require_checksum(path, checksum(path), files::checksum(std::as_bytes(std::span(items))));
     return items;
   }
 
