@@ -88,6 +88,11 @@ TEST_F(Materials, AxesAreTheMeshsOwnAndTurnWithIt) {
   EXPECT_LT((turned.col(2) - Vector3(0, 1, 0)).norm(), 1e-15);
 }
 
+TEST_F(Materials, AShippedOneWithoutConstantsIsToldHowToTakeThem) {
+  EXPECT_EQ(mistakes(deck("materials:\n  steel: {damping: {loss_factor: 0.004}}\n", "steel")),
+            "deck.yaml:4:10: materials.steel: no constants; 'from: steel' takes those of the shipped material");
+}
+
 TEST_F(Materials, MistakesInOrthotropyAreAnswered) {
   const auto answer = [&](const std::string& keys) { return mistakes(deck("materials:\n  a: {" + keys + "}\n", "a")); };
   EXPECT_EQ(answer("young: [9, 5, 1], poisson: 0.3, density: 550"),

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "idiophone/scene/sections.hpp"
@@ -34,6 +36,14 @@ static void check_directions(Section& section, const Material& material) {
   }
 }
 
+bool is_shipped(const std::string& name) {
+  return std::ranges::find(shipped_materials(), name, &Material::name) != shipped_materials().end();
+}
+
+bool lacks_constants(Section& section) {
+  return section.find("young") == nullptr && section.find("stiffness") == nullptr && section.find("density") == nullptr;
+}
+
 bool read(const Node& node, Mistakes& mistakes, Material& material) {
   Section section(node, mistakes);
   std::optional<std::size_t> shipped;
@@ -44,6 +54,10 @@ bool read(const Node& node, Mistakes& mistakes, Material& material) {
     material.name = name;
   }
   material.where = node.key_where;
+  if (!shipped && lacks_constants(section) && is_shipped(material.name)) {
+    return mistakes.add(node,
+                        fmt::format("no constants; 'from: {}' takes those of the shipped material", material.name));
+  }
   read_elastic_constants(section, material);
   const Range solid_density{.at_least = 1e-3, .at_most = 1e6, .unit = "kg/m3"};
   if (section.find("from") == nullptr) {

@@ -17,6 +17,7 @@ TEST(Suggestion, IsTheNearestNameIfItIsNear) {
   EXPECT_EQ(suggestion("densty", known), " (did you mean 'density'?)");
   EXPECT_EQ(suggestion("Damping", known), " (did you mean 'damping'?)");
   EXPECT_EQ(suggestion("colour", known), "");
+  EXPECT_EQ(suggestion("damp", {"lamp", "damping_factor"}), " (did you mean 'damping_factor'?)");
   EXPECT_EQ(suggestion("anything", {}), "");
 }
 

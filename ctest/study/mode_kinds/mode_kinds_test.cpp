@@ -161,6 +161,17 @@ TEST(ModeKinds, OfABarOnSoftSupportsAreRigidMotionsBelowThoseOfTheBar) {
               testing::ElementsAre("rigid motion 1", "rigid motion 2", "bending 1 along z"));
 }
 
+TEST(ModeKinds, OfACantileverWithManyNodesAtItsEndIsABending) {
+  std::vector<Vector3> nodes = box({1, 0.1, 0.05}, {41, 5, 3});
+  for (Vector3& node : nodes) {
+    node[0] = 0.5 - std::pow(0.5 - node[0], 3);  // most of them near the end at x = 0.5
+  }
+  const Field of_cantilever = [](const Vector3& x) {
+    return Vector3(0, 0, (x[0] + 0.5) * (x[0] + 0.5) * (2.5 - x[0]));
+  };
+  EXPECT_THAT(kinds(nodes, {of_cantilever}), testing::ElementsAre("bending 1 along z"));
+}
+
 TEST(ModeKinds, OfOtherBodiesHaveNoNames) {
   const Field any = [](const Vector3& x) { return Vector3(x[1], x[2], x[0]); };
   EXPECT_THAT(kinds(box({1, 1, 0.9}, {5, 5, 5}), {any}), testing::ElementsAre(""));

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <numeric>
+#include <utility>
 
 namespace idiophone::deck {
 
@@ -22,9 +23,15 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string suggestion(std::string_view name, const std::vector<std::string>& known) {
+  constexpr std::size_t least_beginning = 3;  // letters that say which name they begin
+  const auto is_begun = [name](const std::string& other) {
+    return name.size() >= least_beginning && edit_distance(name, other.substr(0, name.size())) == 0;
+  };
   const auto distance = [name](const std::string& other) { return edit_distance(name, other); };
-  const auto nearest = std::ranges::min_element(known, {}, distance);
-  if (nearest == known.end() || 2 * distance(*nearest) > std::max(name.size(), nearest->size())) {
+  const auto rank = [&](const std::string& other) { return std::pair(!is_begun(other), distance(other)); };
+  const auto nearest = std::ranges::min_element(known, {}, rank);
+  if (nearest == known.end() ||
+      (!is_begun(*nearest) && 2 * distance(*nearest) > std::max(name.size(), nearest->size()))) {
     return "";
   }
   return " (did you mean '" + *nearest + "'?)";

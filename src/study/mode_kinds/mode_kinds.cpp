@@ -14,8 +14,10 @@ namespace idiophone::mode_kinds {
 
 namespace {
 
-/// The part of a shape, from 0 to 1, that a rigid motion a + b x r is: of the sum of squares over the nodes.
-double rigid_share(const LocalShape& shape) {
+/// Whether a shape is nearly a rigid motion a + b x r everywhere. A mean over the nodes would not do: most of them can
+/// be at the heavy end of a cantilever, which hardly bends.
+bool is_rigid(const LocalShape& shape) {
+  constexpr double largest_bend = 0.1;  // of the largest displacement
   const auto count = static_cast<double>(shape.places.cols());
   const Vector3 middle = shape.places.rowwise().sum() / count;
   const Vector3 mean = shape.displacements.rowwise().sum() / count;
@@ -27,12 +29,14 @@ double rigid_share(const LocalShape& shape) {
     moment += arm.cross(way);
   }
   const Vector3 turn = inertia.inverse() * moment;
-  return (count * mean.squaredNorm() + turn.dot(moment)) / shape.displacements.squaredNorm();
+  const Eigen::Matrix3Xd arms = shape.places.colwise() - middle;
+  const Eigen::Matrix3Xd bend = (shape.displacements - arms.colwise().cross(-turn)).colwise() - mean;
+  return bend.colwise().squaredNorm().maxCoeff() <
+         largest_bend * largest_bend * shape.displacements.colwise().squaredNorm().maxCoeff();
 }
 
 KindName kind_in(const BodyForm& form, const LocalShape& shape) {
-  constexpr double least_rigid = 0.99;  // the lowest mode of a cantilever has 0.97
-  if (rigid_share(shape) > least_rigid) {
+  if (is_rigid(shape)) {
     return {.name = "rigid motion", .is_counted = true};
   }
   switch (form.kind) {
