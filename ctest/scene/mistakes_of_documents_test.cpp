@@ -11,6 +11,8 @@ TEST_F(MistakenDocuments, Documents) {
   EXPECT_EQ(mistakes("# nothing\n"), "deck.yaml:1:1: the deck is empty; docs/use/deck.md has an example");
   EXPECT_EQ(mistakes("~"), "deck.yaml:1:1: the deck is empty; docs/use/deck.md has an example");
   EXPECT_EQ(mistakes("just text"), "deck.yaml:1:1: expected a map of keys, found 'just text'");
+  EXPECT_EQ(mistakes(std::string(59, 'x') + "\u00e4 and the rest of a file"),
+            "deck.yaml:1:1: expected a map of keys, found '" + std::string(59, 'x') + "...'");
   EXPECT_EQ(mistakes("- a\n- b\n"), "deck.yaml:1:1: expected a map of keys, found a list of 2");
   const std::string outside = "not YAML, or a second document; a deck is a single one and ends before";
   EXPECT_EQ(mistakes(plate + "---\nb: 2\n"), "deck.yaml:11:1: " + outside);

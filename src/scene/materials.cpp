@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "idiophone/scene/sections.hpp"
 #include "loss_section.hpp"
@@ -41,7 +42,8 @@ bool is_shipped(const std::string& name) {
 }
 
 bool lacks_constants(Section& section) {
-  return section.find("young") == nullptr && section.find("stiffness") == nullptr && section.find("density") == nullptr;
+  return std::ranges::none_of(std::array{"young", "poisson", "shear", "stiffness", "density"},
+                              [&section](const char* key) { return section.find(key) != nullptr; });
 }
 
 bool read(const Node& node, Mistakes& mistakes, Material& material) {

@@ -40,6 +40,19 @@ std::optional<double> finite_number(const Node& node) {
   return number;
 }
 
+/// The first letters of a text, which may be a whole file that is not a deck.
+std::string beginning(const std::string& text) {
+  constexpr std::size_t most = 60;
+  if (text.size() <= most) {
+    return text;
+  }
+  std::size_t end = most;
+  while (end > 0 && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) {
+    --end;  // a character of UTF-8 goes on here
+  }
+  return text.substr(0, end) + "...";
+}
+
 }  // namespace
 
 std::string describe(const Node& node) {
@@ -47,7 +60,7 @@ std::string describe(const Node& node) {
     case Node::Kind::nothing:
       return "nothing";
     case Node::Kind::scalar:
-      return fmt::format("{0}{1}{0}", node.quoted ? '"' : '\'', node.text);
+      return fmt::format("{0}{1}{0}", node.quoted ? '"' : '\'', beginning(node.text));
     case Node::Kind::list:
       return fmt::format("a list of {}", node.children.size());
     case Node::Kind::map:

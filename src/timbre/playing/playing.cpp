@@ -141,7 +141,7 @@ Performance perform(const PlaySettings& settings, const score::Score& score, con
                    .duration = is_live ? static_cast<double>(stage.now()) / stage.rate() : score.duration,
                    .processor_time = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC};
   if (!is_live) {
-    spdlog::info("{} bodies; {:.4g} s of sound in {:.3g} s of processor time", done.bodies.size(), done.duration,
+    spdlog::info("bodies: {}; {:.4g} s of sound in {:.3g} s of processor time", done.bodies.size(), done.duration,
                  done.processor_time);
   }
   done.told = report(settings, stage, drivers);

@@ -51,7 +51,7 @@ struct Folder {
 /// A scalar.
 [[nodiscard]] Node scalar(const std::string& text);
 
-/// What a value is, for "found ...": "'text'", "a list of 2", "a map", "nothing".
+/// What a value is, for "found ...": "'text'", of which at most 60 bytes, "a list of 2", "a map", "nothing".
 [[nodiscard]] std::string describe(const Node& node);
 
 /// A finite number: 5, -0.5, 1e-3. Quoted digits are text.
