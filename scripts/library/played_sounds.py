@@ -5,8 +5,14 @@ in older programs are translated for them.
 """
 import dataclasses
 import functools
+import io
 import pathlib
 import subprocess
+import warnings
+
+from scipy.io import wavfile
+
+from library.result_bits import level_of_difference
 
 BLOW = "{time: 0.01, at: [0.02, 0.01, 0.01], direction: [0, 0, -1], mass: 0.01, hardness: 1e8, speed: 1}"
 SCRAPE = ("{type: scrape, time: 0.1, from: [-0.02, 0, 0.01], to: [0.02, 0, 0.01], direction: [0, 0, -1], speed: 0.2, load: 1,"
@@ -140,4 +146,13 @@ def wrong_sounds(base, head):
         return "no sound was written"
     if set(base) != set(head):
         return f"other files: {sorted(set(base) ^ set(head))}"
-    return ", ".join(f"{name} differs" for name in base if base[name] != head[name])
+    return ", ".join(f"{name} ({distance(base[name], head[name])})" for name in base if base[name] != head[name])
+
+
+def distance(base, head):
+    """How far the sounds of two WAV files are from each other; of other files, only that they differ."""
+    if not base.startswith(b"RIFF"):
+        return "differs"
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", wavfile.WavFileWarning)  # of chunks beside the samples
+        return level_of_difference(*(wavfile.read(io.BytesIO(sound))[1] for sound in (base, head)))

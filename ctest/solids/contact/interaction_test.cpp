@@ -157,6 +157,9 @@ TEST_P(Elements, FlatBlockPressesEvenlyAndAsHardAsItIsDeep) {
   EXPECT_GT(motion.force.z(), 0.7 * stiffness * depth);
   EXPECT_LT(motion.force.z(), stiffness * depth);
   EXPECT_NEAR(motion.point.x(), 0.5, 0.02);
+  EXPECT_NEAR(motion.spread(0, 0), 1.0 / 12, 0.02);  // of a unit square; the edges press less
+  EXPECT_NEAR(motion.spread(1, 1), motion.spread(0, 0), 0.01);
+  EXPECT_LT(motion.spread(2, 2), depth * depth);
   EXPECT_NEAR(motion.normal.z(), 1.0, 1e-12);
   EXPECT_NEAR(interaction.deepest(), depth, 0.02 * depth);
 }

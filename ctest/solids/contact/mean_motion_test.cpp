@@ -22,6 +22,15 @@ TEST(MeanMotion, IsTheMeanInTimeOfTheForceAndTheMeanByForceOfItsPlace) {
   EXPECT_EQ(found.slip, Vector3(1, 3, 0));
 }
 
+TEST(MeanMotion, SpreadIsThatOfThePlacesAndOfTheirWay) {
+  MeanMotion mean;
+  const Eigen::Matrix3d still = Vector3(0, 0.5, 0).asDiagonal();
+  mean.add({.force = {0, 0, 1}, .point = {1, 0, 0}, .spread = still});
+  mean.add({.force = {0, 0, 3}, .point = {5, 0, 0}, .spread = still});
+  const Eigen::Matrix3d expected = Vector3(3, 0.5, 0).asDiagonal();
+  EXPECT_EQ(mean.take().spread, expected);
+}
+
 TEST(MeanMotion, BeginsAnewWhenItIsTaken) {
   MeanMotion mean;
   mean.add({.force = {0, 0, 1}, .overlap = 2});

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <thread>
 
 #include "idiophone/instruments/drivers/motion_drivers.hpp"
@@ -80,18 +81,25 @@ score::HammerBlow blow() {
 /// A result in which a force of 3 N acts on the cube from `beginning` on, for 0.01 s, and a channel that follows it.
 class Result {
  public:
-  Result() {
+  /// @param reach  m; how far the contact reaches along x from its point, 0 as in results of older programs
+  explicit Result(double reach = 0.0) {
     auto result = results::ResultFile::create(
         file_.path(), {"hit", "0", "bodies: {cube: {}}\ncontacts: {hit: {between: [cube, floor]}}\n", {}},
         MPI_COMM_SELF);
     declare(result, "/contacts/hit/force", {"x", "y", "z"});
     declare(result, "/contacts/hit/point", {"x", "y", "z"});
+    if (reach > 0) {
+      declare(result, "/contacts/hit/spread", {"xx", "yy", "zz", "xy", "xz", "yz"});
+    }
     declare(result, "/motion/cube/centre_of_mass", {"x", "y", "z"});
     declare(result, "/motion/cube/orientation", {"w", "x", "y", "z"});
     for (int row = 0; row < samples; ++row) {
       const double force = row >= beginning && row < beginning + 80 ? -3.0 : 0.0;
       result.append("/contacts/hit/force", std::array{0.0, 0.0, force});
       result.append("/contacts/hit/point", std::array{0.03, 0.04, 0.1});
+      if (reach > 0) {
+        result.append("/contacts/hit/spread", std::array{reach * reach, 0.0, 0.0, 0.0, 0.0, 0.0});
+      }
       result.append("/motion/cube/centre_of_mass", std::array{0.05, 0.05, 0.05});
       result.append("/motion/cube/orientation", std::array{1.0, 0.0, 0.0, 0.0});
     }
@@ -266,6 +274,22 @@ TEST(TreeVoice, TunesItsParameters) {
 
 TEST(TreeVoice, RefusesParametersThatNobodyGives) {
   EXPECT_THROW(TreeVoice(parse_tree("(parameter colour) colour", "cube.tt"), "cube", {}, 1, rate), deck::DeckError);
+}
+
+TEST(ContactEvents, AreSpreadOverThePatch) {
+  const Result result(0.01);
+  const std::vector<drivers::Event> events =
+      drivers::contact_events(result.path(), {{.name = "cube", .centre = {}}}, rate);
+  double impulse = 0.0;
+  std::set<double> places;
+  for (const resonators::PointForce& force : std::get<drivers::Excitation>(events.at(0).action).forces) {
+    places.insert(std::round(1e6 * force.at.x()));
+    for (const resonators::ForcePiece& piece : force.force) {
+      impulse += piece.mean * force.direction.z() / rate;
+    }
+  }
+  EXPECT_EQ(places, (std::set<double>{20000, 40000}));
+  EXPECT_NEAR(impulse, -3.0 * 64 / rate, 1e-12);
 }
 
 TEST(ContactEvents, AreForcesOfTheWholeTouch) {

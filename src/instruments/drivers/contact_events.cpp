@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
+#include <optional>
 #include <utility>
 
+#include "contact_patch.hpp"
 #include "idiophone/foundation/deck/tree.hpp"
 #include "idiophone/instruments/drivers/motion_drivers.hpp"
 #include "motion_rows.hpp"
@@ -17,23 +18,41 @@ namespace {
 
 constexpr std::size_t longest_piece = 64;  // rows in which the point of contact stays
 
-/// The force and the point of one contact.
-struct ContactRecord {
-  VectorChannel force, point;
+/// The force and the place of one contact.
+class ContactRecord {
+ public:
+  /// @param path  of its channels
+  ContactRecord(const results::SeriesReader& reader, const std::string& path)
+      : force(reader, path + "/force"), point_(reader, path + "/point") {
+    if (std::ranges::find(reader.all(), "/" + path + "/spread", &spectra::Series::path) != reader.all().end()) {
+      spread_.emplace(reader, path + "/spread");
+    }
+  }
 
   [[nodiscard]] bool touches(std::size_t row) const { return force.vector(row) != Vector3::Zero(); }
 
-  /// Mean point of some rows, weighted by the force.
-  [[nodiscard]] Vector3 mean_point(std::size_t begin, std::size_t end) const {
-    Vector3 sum = Vector3::Zero();
-    double weights = 0.0;
+  /// Where it acts during some rows.
+  [[nodiscard]] ContactPatch patch(std::size_t begin, std::size_t end) const {
+    MeanPatch mean;
     for (std::size_t row = begin; row < end; ++row) {
-      const double weight = force.vector(row).norm();
-      sum += weight * point.vector(row);
-      weights += weight;
+      mean.add({.middle = point_.vector(row), .spread = spread(row)}, force.vector(row).norm());
     }
-    return sum / weights;
+    return mean.mean();
   }
+
+  VectorChannel force;
+
+ private:
+  [[nodiscard]] Eigen::Matrix3d spread(std::size_t row) const {
+    if (!spread_) {
+      return Eigen::Matrix3d::Zero();
+    }
+    const double* const s = &spread_->values[spread_->width * row];
+    return Eigen::Matrix3d{{s[0], s[3], s[4]}, {s[3], s[1], s[5]}, {s[4], s[5], s[2]}};
+  }
+
+  VectorChannel point_;
+  std::optional<VectorChannel> spread_;  // results of older programs have none
 };
 
 /// Rows of a contact that belong together: from its begin until nothing touched for a while.
@@ -66,21 +85,25 @@ std::vector<Touch> touches_of(const ContactRecord& contact) {
   return touches;
 }
 
-/// One force along each axis, for a piece of a touch.
+/// Forces along each axis at the points of the patch, for a piece of a touch.
 Excitation excitation_of(const ContactRecord& contact, std::size_t begin, std::size_t end, double sign,
                          const RigidTrack& track, int rate) {
   const double middle = 0.5 * static_cast<double>(begin + end) / contact.force.rate;
   const Eigen::Isometry3d back = track.at(middle).inverse();
-  const Vector3 at = back * contact.mean_point(begin, end);
+  const std::vector<Vector3> points = contact.patch(begin, end).points();
+  const double part = 1.0 / static_cast<double>(points.size());
   Excitation excitation;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> rows;
     for (std::size_t row = begin; row < end; ++row) {
-      rows.push_back((back.linear() * contact.force.vector(row))[axis]);
+      rows.push_back(part * (back.linear() * contact.force.vector(row))[axis]);
     }
-    excitation.forces.push_back(force_of_rows(rows, begin, contact.force.rate, rate));
-    excitation.forces.back().at = at;
-    excitation.forces.back().direction = sign * Vector3::Unit(axis);
+    resonators::PointForce force = force_of_rows(rows, begin, contact.force.rate, rate);
+    force.direction = sign * Vector3::Unit(axis);
+    for (const Vector3& point : points) {
+      force.at = back * point;
+      excitation.forces.push_back(force);
+    }
   }
   return excitation;
 }
@@ -145,10 +168,8 @@ std::vector<Event> contact_events(const std::filesystem::path& result, const std
       const auto body = std::ranges::find(bodies, contact.bodies[side], &StruckBody::name);
       if (body != bodies.end()) {
         is_any_known = true;
-        const ContactRecord record{.force = VectorChannel(reader, path + "/force"),
-                                   .point = VectorChannel(reader, path + "/point")};
-        add_contact(record, side == 0 ? 1.0 : -1.0, static_cast<std::size_t>(body - bodies.begin()),
-                    RigidTrack(reader, *body), rate, events);
+        add_contact(ContactRecord(reader, path), side == 0 ? 1.0 : -1.0,
+                    static_cast<std::size_t>(body - bodies.begin()), RigidTrack(reader, *body), rate, events);
       }
     }
   }

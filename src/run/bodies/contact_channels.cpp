@@ -2,6 +2,7 @@
 
 #include <array>
 #include <span>
+#include <utility>
 
 #include "idiophone/foundation/parallel/reduce.hpp"
 
@@ -17,19 +18,23 @@ struct ContactChannel {
   const char* description;
 };
 
-const std::array<ContactChannel, 5>& contact_channels() {
+const std::array<ContactChannel, 6>& contact_channels() {
   static const std::vector<std::string> xyz = {"x", "y", "z"};
-  static const std::array<ContactChannel, 5> all = {{
+  static const std::array<ContactChannel, 6> all = {{
       {"force", "N", xyz, "force on the first body, mean over the audio sample before"},
       {"point", "m", xyz, "where it acts, mean weighted by pressure; zero where nothing touches"},
       {"normal", "1", xyz, "unit vector from the partner to the first body, likewise"},
       {"slip", "m/s", xyz, "tangential velocity of the first body against the partner, likewise"},
       {"overlap", "m3", {"volume"}, "volume of the overlap, mean over the audio sample before"},
+      {"spread",
+       "m2",
+       {"xx", "yy", "zz", "xy", "xz", "yz"},
+       "covariance of the places where it acts, mean weighted by pressure"},
   }};
   return all;
 }
 
-constexpr std::size_t row_width = 13;
+constexpr std::size_t row_width = 19;
 
 std::array<double, row_width> row(const contact::ContactMotion& motion) {
   std::array<double, row_width> row;
@@ -37,7 +42,10 @@ std::array<double, row_width> row(const contact::ContactMotion& motion) {
   for (const Vector3& vector : {motion.force, motion.point, motion.normal, motion.slip}) {
     next = std::copy(vector.begin(), vector.end(), next);
   }
-  *next = motion.overlap;
+  *next++ = motion.overlap;
+  for (const auto& [i, j] : std::array<std::pair<int, int>, 6>{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}}) {
+    *next++ = motion.spread(i, j);
+  }
   return row;
 }
 

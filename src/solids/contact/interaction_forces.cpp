@@ -107,6 +107,18 @@ double Interaction::energy() const {
   return energy;
 }
 
+Eigen::Matrix3d Interaction::spread_about(const Vector3& point) const {
+  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
+  for (const Side* side : sides()) {
+    for (const Index node : side->touched) {
+      const Touch& touch = side->touch[node];
+      // Places are linear in those of the nodes, so the sum of x_i times the integral of psi_i x is that of x x.
+      spread += touch.pressure * (side->position[node] - point) * (touch.moment - touch.surface * point).transpose();
+    }
+  }
+  return (spread + spread.transpose()) / 2.0;
+}
+
 ContactMotion Interaction::motion() const {
   ContactMotion motion;
   double weight = 0.0;
@@ -124,6 +136,7 @@ ContactMotion Interaction::motion() const {
   motion.overlap = overlaps_.volume();
   if (weight > 0) {
     motion.point /= weight;
+    motion.spread = spread_about(motion.point) / weight;
     motion.normal.normalize();
     motion.slip /= weight;
     motion.slip -= motion.slip.dot(motion.normal) * motion.normal;

@@ -15,6 +15,7 @@ class MeanMotion {
     sum_.point += weight * now.point;
     sum_.normal += weight * now.normal;
     sum_.slip += weight * now.slip;
+    sum_.spread += weight * (now.spread + now.point * now.point.transpose());
     weight_ += weight;
     ++steps_;
   }
@@ -30,6 +31,7 @@ class MeanMotion {
       mean.point /= weight_;
       mean.normal.normalize();
       mean.slip /= weight_;
+      mean.spread = mean.spread / weight_ - mean.point * mean.point.transpose();
     }
     *this = {};
     return mean;

@@ -15,6 +15,7 @@
 #include "idiophone/instruments/voices/buffered_voice.hpp"
 #include "idiophone/instruments/voices/sound_map_voices.hpp"
 #include "idiophone/run/bodies/read_run_deck.hpp"
+#include "idiophone/scene/body_materials.hpp"
 #include "listener_check.hpp"
 #include "staged_proxies.hpp"
 #include "tree_voice.hpp"
@@ -94,10 +95,14 @@ std::vector<ProxyLevels> levels_of_all(const scene::Scene& deck, int levels, pro
   std::vector<ProxyLevels> all;
   for (std::size_t body = 0; body < deck.bodies.size(); ++body) {
     all.push_back(proxy_bodies::proxy_levels(deck, body, levels, springs));
+    const scene::Body& described = deck.bodies[body];
+    if (!described.springs && scene::is_undamped(described, deck.materials)) {
+      spdlog::warn("{}: {}", described.name, scene::undamped_in_words);
+    }
     for (std::size_t level = 0; level < all.back().size(); ++level) {
       const proxies::Lattice& lattice = *all.back()[level];
-      spdlog::info("{}, level {}: {} masses, {} springs, {} tetrahedra", deck.bodies[body].name, level,
-                   lattice.masses().size(), lattice.springs().size(), lattice.mesh().tetrahedra.size());
+      spdlog::info("{}, level {}: {} masses, {} springs, {} tetrahedra", described.name, level, lattice.masses().size(),
+                   lattice.springs().size(), lattice.mesh().tetrahedra.size());
     }
   }
   return all;
