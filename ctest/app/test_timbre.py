@@ -80,6 +80,11 @@ class Trees(TimbreCase):
         tree.write_text("(log (- 0.5 time))")
         self.timbre(scene, status=program.FAILED)
         self.assertIn("is not finite 0.5 s after the sound began", self.said)
+        self.timbre(tree, status=program.FAILED)
+        self.assertIn("tree.tt is a timbre tree. A sonic scene says when it sounds", self.said)
+        tree.write_text("(* 0 (sine 440))")
+        self.timbre(scene)
+        self.assertIn("is silent: within its duration, the listener hears nothing", self.said)
 
     def test_outputs_are_checked_before_the_sound_is_computed(self):
         (self.output / "tree.tt").write_text("(* 2 (sine 441))")

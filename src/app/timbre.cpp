@@ -1,5 +1,7 @@
 // `idiophone timbre`: the sounds of a sonic scene, bound to motion.
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <stdexcept>
 
@@ -72,7 +74,17 @@ void play_music(std::filesystem::path file, const std::string& destination) {
                      [] { return loop::noted_signal() != 0; });
 }
 
+void check_scene(const std::filesystem::path& file) {
+  if (file.extension() == ".tt") {
+    throw std::runtime_error(
+        fmt::format("{} is a timbre tree. A sonic scene says when it sounds (docs/use/timbre.md); `idiophone play {} "
+                    "--score FILE` strikes it",
+                    file.string(), file.string()));
+  }
+}
+
 int timbre(const TimbreOptions& options) {
+  check_scene(options.scene);
   const timbre::SonicScene scene = timbre::read_sonic_scene(options.scene, options.overrides);
   propagation::check_heads(scene.scene);
   const std::filesystem::path file =
