@@ -2,7 +2,6 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-#include <petscsys.h>
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -12,17 +11,14 @@
 #include "idiophone/air/harmonic/boundary_elements.hpp"
 #include "long_verification.hpp"
 #include "vibrating_solid.hpp"
+#include "with_petsc.hpp"
 
 namespace idiophone::harmonic {
 namespace {
 
 using namespace radiation;  // the vibrating solids
 
-class IterativeSolution : public testing::Test {
- protected:
-  static void SetUpTestSuite() { PetscInitializeNoArguments(); }
-  static void TearDownTestSuite() { PetscFinalize(); }
-};
+using IterativeSolution = WithPetsc;
 
 /// A motion of the corners without any symmetry, and rigid motion along x.
 std::vector<std::vector<Complex>> motions(const Boundary& boundary) {

@@ -12,17 +12,14 @@
 #include "shared_folder.hpp"
 #include "small_radiation.hpp"
 #include "surface_levels.hpp"
+#include "with_petsc.hpp"
 
 namespace idiophone::harmonic {
 namespace {
 
 using ::testing::HasSubstr;
 
-class RadiationFile : public testing::Test {
- protected:
-  static void SetUpTestSuite() { MPI_Init(nullptr, nullptr); }
-  static void TearDownTestSuite() { MPI_Finalize(); }
-};
+using RadiationFile = WithPetsc;
 
 const Origin origin = {.name = "deck", .code_version = "0.2.0", .deck_text = "name: deck", .overrides = {"a=1"}};
 
