@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "confidence.hpp"
+#include "idiophone/foundation/dense/nonlinear_least_squares.hpp"
 #include "idiophone/solids/solid/directional_loss.hpp"
-#include "least_squares.hpp"
 
 namespace idiophone::fitting {
 
@@ -58,8 +58,10 @@ class DirectionalDecays {
 
   /// The best loss factors where some have places of their own.
   [[nodiscard]] Fit best(const Places& places, const Eigen::VectorXd& start) const {
-    const Residuals residuals = [&](const Eigen::VectorXd& point) { return std::optional(errors(places, point)); };
-    const Jacobian jacobian = [&](const Eigen::VectorXd& point) {
+    const dense::Residuals residuals = [&](const Eigen::VectorXd& point) {
+      return std::optional(errors(places, point));
+    };
+    const dense::Jacobian jacobian = [&](const Eigen::VectorXd& point) {
       constexpr double h = 1e-5;
       Eigen::MatrixXd slopes(decays_.size(), point.size());
       for (Eigen::Index k = 0; k < point.size(); ++k) {
@@ -68,10 +70,10 @@ class DirectionalDecays {
       }
       return slopes;
     };
-    const Box box{.lower = Eigen::VectorXd::Constant(start.size(), std::log(1e-6)),
-                  .upper = Eigen::VectorXd::Constant(start.size(), std::log(0.3))};
-    const LeastSquares found =
-        minimize(residuals, jacobian, start.cwiseMax(box.lower).cwiseMin(box.upper), box, {.step = 1e-6});
+    const dense::Box box{.lower = Eigen::VectorXd::Constant(start.size(), std::log(1e-6)),
+                         .upper = Eigen::VectorXd::Constant(start.size(), std::log(0.3))};
+    const dense::LeastSquares found =
+        dense::minimize(residuals, jacobian, start.cwiseMax(box.lower).cwiseMin(box.upper), box, {.step = 1e-6});
     return {places, found.point, found.residuals.squaredNorm()};
   }
 

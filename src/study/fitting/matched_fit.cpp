@@ -4,8 +4,8 @@
 #include <limits>
 #include <optional>
 
+#include "idiophone/foundation/dense/nonlinear_least_squares.hpp"
 #include "idiophone/study/partials/compare.hpp"
-#include "least_squares.hpp"
 
 namespace idiophone::fitting {
 
@@ -64,9 +64,9 @@ TurnedMaterial fit_pairs(const FitProblem& problem, const LinePairs& pairs, cons
   };
   const Eigen::VectorXd infinite =
       Eigen::VectorXd::Constant(rules.ties.cols(), std::numeric_limits<double>::infinity());
-  return material_at(
-      minimize(residuals, jacobian, Eigen::VectorXd::Zero(rules.ties.cols()), {-infinite, infinite}, {.step = 1e-9})
-          .point);
+  return material_at(dense::minimize(residuals, jacobian, Eigen::VectorXd::Zero(rules.ties.cols()),
+                                     {-infinite, infinite}, {.step = 1e-9})
+                         .point);
 }
 
 MatchedFit fit_and_match(const FitProblem& problem, const TurnedMaterial& start, const FitRules& rules) {

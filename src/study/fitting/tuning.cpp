@@ -10,8 +10,8 @@
 
 #include "blow_levels.hpp"
 #include "halton_point.hpp"
+#include "idiophone/foundation/dense/nonlinear_least_squares.hpp"
 #include "idiophone/scene/find_body.hpp"
-#include "least_squares.hpp"
 #include "tracked_modes.hpp"
 #include "tuning_wishes.hpp"
 
@@ -84,11 +84,11 @@ class Search {
   /// A local search from the last accepted point.
   void search() {
     const auto count = static_cast<Eigen::Index>(variables_.size());
-    static_cast<void>(
-        minimize([this](const VectorXd& point) { return residuals_at(point); },
-                 [this](const VectorXd& point) { return residual_slopes(point); }, known_.point,
-                 {VectorXd::Zero(count), VectorXd::Ones(count)},
-                 {.residual = finest * options_.tolerance, .step = smallest_step, .iterations = most_iterations}));
+    static_cast<void>(dense::minimize(
+        [this](const VectorXd& point) { return residuals_at(point); },
+        [this](const VectorXd& point) { return residual_slopes(point); }, known_.point,
+        {VectorXd::Zero(count), VectorXd::Ones(count)},
+        {.residual = finest * options_.tolerance, .step = smallest_step, .iterations = most_iterations}));
     keep_if_better();
   }
 

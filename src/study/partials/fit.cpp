@@ -1,13 +1,11 @@
 #include "fit.hpp"
 
-// GCC 12 warns of an undefined operand in its own AVX-512 intrinsics (GCC bug 105593).
-#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
-
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <unsupported/Eigen/NonLinearOptimization>
+
+#include "idiophone/foundation/dense/nonlinear_least_squares.hpp"
 
 namespace idiophone::partials {
 namespace {
@@ -15,14 +13,19 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// The residual and its Jacobian for Eigen's Levenberg-Marquardt method. Each line has four parameters:
-/// the real and imaginary part of its amplitude, the shift of its frequency and its damping, the latter two over the
-/// sound's length so that a change by one shifts or broadens the line by about a bin.
+/// The residuals and their Jacobian for the method of Levenberg and Marquardt. Each line has four parameters: the real
+/// and imaginary part of its amplitude over that of the strongest line, the shift of its frequency and its damping. The
+/// latter two are times the sound's length, so that a change by one shifts or broadens the line by about a bin.
 class Residual {
  public:
   Residual(const LineSpectrum& line_spectrum, std::span<const Complex> target, BinRange band,
            const std::vector<Line>& start)
-      : line_spectrum_(line_spectrum), target_(target), band_(band), start_(start) {}
+      : line_spectrum_(line_spectrum), target_(target), band_(band), start_(start) {
+    for (const Line& line : start) {
+      unit_ = std::max(unit_, std::abs(line.amplitude));
+    }
+    unit_ = unit_ > 0.0 ? unit_ : 1.0;
+  }
 
   [[nodiscard]] int inputs() const { return static_cast<int>(4 * start_.size()); }
   [[nodiscard]] int values() const { return static_cast<int>(2 * band_.size()); }
@@ -31,45 +34,47 @@ class Residual {
     VectorXd result(inputs());
     for (std::size_t j = 0; j < start_.size(); ++j) {
       const Line& line = start_[j];
-      result.segment<4>(at(j)) << line.amplitude.real(), line.amplitude.imag(), 0.0, line.damping * length();
+      result.segment<4>(first(j)) << line.amplitude.real() / unit_, line.amplitude.imag() / unit_, 0.0,
+          line.damping * length();
     }
     return result;
   }
 
   [[nodiscard]] Line line(const VectorXd& parameters, std::size_t j) const {
-    const auto own = parameters.segment<4>(at(j));
+    const auto own = parameters.segment<4>(first(j));
     return {.frequency = start_[j].frequency + own[2] / length(),
             .damping = own[3] / length(),
-            .amplitude = {own[0], own[1]}};
+            .amplitude = {unit_ * own[0], unit_ * own[1]}};
   }
 
-  int operator()(const VectorXd& parameters, VectorXd& residual) const {
+  [[nodiscard]] VectorXd at(const VectorXd& parameters) const {
+    VectorXd residual(values());
     put(residual, target_, -1.0);
     VectorXd one(values());
     for (std::size_t j = 0; j < start_.size(); ++j) {
       put(one, line_spectrum_.spectrum(line(parameters, j), band_), 1.0);
       residual += one;
     }
-    return 0;
+    return residual;
   }
 
-  // The names are required by Eigen.
-  int df(const VectorXd& parameters, MatrixXd& jacobian) const {
+  [[nodiscard]] MatrixXd jacobian(const VectorXd& parameters) const {
+    MatrixXd jacobian(values(), inputs());
     for (std::size_t j = 0; j < start_.size(); ++j) {
       const auto derivatives = line_spectrum_.derivatives(line(parameters, j), band_);
-      put(jacobian.col(at(j)), derivatives.real, 1.0);
+      put(jacobian.col(first(j)), derivatives.real, unit_);
       // The spectrum of a decay at zero frequency is insensitive to its phase and its frequency.
       const double swings = start_[j].frequency > 0.0 ? 1.0 : 0.0;
-      put(jacobian.col(at(j) + 1), derivatives.imaginary, swings);
-      put(jacobian.col(at(j) + 2), derivatives.frequency, swings / length());
-      put(jacobian.col(at(j) + 3), derivatives.damping, 1.0 / length());
+      put(jacobian.col(first(j) + 1), derivatives.imaginary, swings * unit_);
+      put(jacobian.col(first(j) + 2), derivatives.frequency, swings / length());
+      put(jacobian.col(first(j) + 3), derivatives.damping, 1.0 / length());
     }
-    return 0;
+    return jacobian;
   }
 
  private:
   [[nodiscard]] double length() const { return static_cast<double>(line_spectrum_.length()); }
-  static Eigen::Index at(std::size_t j) { return static_cast<Eigen::Index>(4 * j); }
+  static Eigen::Index first(std::size_t j) { return static_cast<Eigen::Index>(4 * j); }
 
   /// Real parts, then imaginary parts, times a factor.
   static void put(Eigen::Ref<VectorXd> column, std::span<const Complex> bins, double factor) {
@@ -81,6 +86,7 @@ class Residual {
   std::span<const Complex> target_;
   BinRange band_;
   const std::vector<Line>& start_;
+  double unit_ = 0.0;  ///< the largest amplitude at the start
 };
 
 Line with_positive_frequency(const Line& line) {
@@ -94,15 +100,15 @@ Line with_positive_frequency(const Line& line) {
 
 Fit fit_lines(const LineSpectrum& line_spectrum, std::span<const Complex> target, BinRange band,
               const std::vector<Line>& start, int most_iterations) {
-  Residual residual(line_spectrum, target, band, start);
-  Eigen::LevenbergMarquardt<Residual> solver(residual);
-  solver.parameters.factor = 1.0;  // the first step stays near the line
-  solver.parameters.maxfev = most_iterations;
-  VectorXd parameters = residual.parameters();
-  solver.minimize(parameters);
-  Fit fit{.lines = {}, .iterations = static_cast<int>(solver.njev)};
+  const Residual residual(line_spectrum, target, band, start);
+  const VectorXd infinite = VectorXd::Constant(residual.inputs(), std::numeric_limits<double>::infinity());
+  const dense::LeastSquares found =
+      dense::minimize([&](const VectorXd& parameters) { return residual.at(parameters); },
+                      [&](const VectorXd& parameters) { return residual.jacobian(parameters); }, residual.parameters(),
+                      {-infinite, infinite}, {.step = 1e-11, .reduction = 1e-8, .iterations = most_iterations});
+  Fit fit{.lines = {}, .iterations = found.iterations};
   for (std::size_t j = 0; j < start.size(); ++j) {
-    fit.lines.push_back(with_positive_frequency(residual.line(parameters, j)));
+    fit.lines.push_back(with_positive_frequency(residual.line(found.point, j)));
   }
   return fit;
 }
@@ -110,10 +116,8 @@ Fit fit_lines(const LineSpectrum& line_spectrum, std::span<const Complex> target
 std::vector<Deviation> deviations(const LineSpectrum& line_spectrum, std::span<const Complex> target, BinRange band,
                                   const std::vector<Line>& lines) {
   const Residual residual(line_spectrum, target, band, lines);
-  VectorXd rest(residual.values());
-  MatrixXd jacobian(residual.values(), residual.inputs());
-  residual(residual.parameters(), rest);
-  residual.df(residual.parameters(), jacobian);
+  const VectorXd rest = residual.at(residual.parameters());
+  const MatrixXd jacobian = residual.jacobian(residual.parameters());
   // Padding doubles the bins, so half of the values are independent, and each counts twice.
   const double freedom = std::max(0.5 * residual.values() - residual.inputs(), 1.0);
   const double variance = rest.squaredNorm() / freedom;

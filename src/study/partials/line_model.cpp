@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 namespace idiophone::partials {
@@ -53,23 +54,20 @@ BinRange LineModel::band_around_all(const std::vector<Line>& group) const {
   return all;
 }
 
-/// Whether lines are separate, within the band, and not large ones that cancel each other.
-bool LineModel::acceptable(const std::vector<Line>& group, BinRange band) const {
+std::optional<std::size_t> LineModel::misfit(const std::vector<Line>& group, BinRange band) const {
   const double highest = remainder_.highest(band);
   for (std::size_t j = 0; j < group.size(); ++j) {
     const double bin = line_spectrum_.bin_of(group[j]);
     const bool inside = bin >= static_cast<double>(band.begin) && bin <= static_cast<double>(band.end - 1);
-    if (!inside || !(line_spectrum_.height(group[j]) < 20.0 * highest)) {
-      return false;
-    }
-    for (std::size_t other = 0; other < j; ++other) {
-      if (is_reported(group[j]) && is_reported(group[other]) &&
-          std::abs(group[j].frequency - group[other].frequency) < options_.separation) {
-        return false;
-      }
+    const bool is_too_near = std::ranges::any_of(std::span(group).first(j), [&](const Line& other) {
+      return is_reported(group[j]) && is_reported(other) &&
+             std::abs(group[j].frequency - other.frequency) < options_.separation;
+    });
+    if (!inside || !(line_spectrum_.height(group[j]) < 20.0 * highest) || is_too_near) {
+      return j;
     }
   }
-  return true;
+  return {};
 }
 
 std::vector<Line> LineModel::fit(const std::vector<Line>& added_back, BinRange band, const std::vector<Line>& start) {
@@ -101,7 +99,7 @@ bool LineModel::add(const Line& candidate) {
     }
     const BinRange band = band_around_all(group);
     group = fit(before, band, group);
-    if (!complete_ || !acceptable(group, band)) {
+    if (!complete_ || misfit(group, band)) {
       return false;
     }
     line = group.back();
@@ -116,7 +114,9 @@ bool LineModel::add(const Line& candidate) {
   replace(members, group);
   // They were fitted without the new line.
   for (const std::size_t member : members) {
-    refit(member);
+    if (!refit(member)) {
+      break;
+    }
   }
   return true;
 }
@@ -145,13 +145,32 @@ void LineModel::replace(const std::vector<std::size_t>& members, const std::vect
   }
 }
 
-void LineModel::refit(std::size_t line) {
-  const auto members = neighbours(lines_[line]);
+bool LineModel::refit(std::size_t line) {
+  std::vector<std::size_t> members = neighbours(lines_[line]);
   const std::vector<Line> before = pick(members);
   const BinRange band = band_around_all(before);
-  const std::vector<Line> after = fit(before, band, before);
-  if (acceptable(after, band)) {
-    replace(members, after);
+  std::vector<Line> after = fit(before, band, before);
+  std::vector<std::size_t> wrong;
+  while (const auto next = misfit(after, band)) {
+    if (!complete_ || after.size() == 1) {
+      return true;
+    }
+    const auto place = static_cast<std::ptrdiff_t>(*next);
+    wrong.push_back(members[*next]);
+    members.erase(members.begin() + place);
+    after.erase(after.begin() + place);
+    after = fit(before, band, after);
+  }
+  replace(members, after);
+  give_up(std::move(wrong));
+  return members.size() == before.size();
+}
+
+void LineModel::give_up(std::vector<std::size_t> members) {
+  std::ranges::sort(members, std::greater());  // so that the numbers of the others stay
+  for (const std::size_t member : members) {
+    remainder_.add_back(lines_[member]);
+    lines_.erase(lines_.begin() + static_cast<std::ptrdiff_t>(member));
   }
 }
 

@@ -2,6 +2,7 @@
 // A spectrum as a sum of lines and a remainder. Lines that overlap are fitted together.
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -21,8 +22,10 @@ class LineModel {
   /// @return whether the fit was acceptable
   bool add(const Line& candidate);
 
-  /// Fits a line again together with its neighbours.
-  void refit(std::size_t line);
+  /// Fits a line again together with its neighbours. Lines that the fit does not bear are given up: where two of them
+  /// fall on one line, neither would be determined.
+  /// @return false if lines were given up, so that others have new numbers
+  bool refit(std::size_t line);
 
   /// In the order in which they were added.
   [[nodiscard]] const std::vector<Line>& lines() const { return lines_; }
@@ -43,12 +46,14 @@ class LineModel {
   [[nodiscard]] BinRange band_around_all(const std::vector<Line>& group) const;
   [[nodiscard]] std::vector<std::size_t> neighbours(const Line& line) const;
   [[nodiscard]] std::vector<Line> pick(const std::vector<std::size_t>& members) const;
-  [[nodiscard]] bool acceptable(const std::vector<Line>& group, BinRange band) const;
+  /// The first line that is outside the band, one of large ones that cancel each other, or not separate from another.
+  [[nodiscard]] std::optional<std::size_t> misfit(const std::vector<Line>& group, BinRange band) const;
   /// Lines fitted to the remainder with these lines added back; as they are when the search has to end.
   [[nodiscard]] std::vector<Line> fit(const std::vector<Line>& added_back, BinRange band,
                                       const std::vector<Line>& start);
   void split_nearest(std::vector<Line>& group) const;
   void replace(const std::vector<std::size_t>& members, const std::vector<Line>& lines);
+  void give_up(std::vector<std::size_t> members);
 
   const LineSpectrum& line_spectrum_;
   const SearchOptions& options_;

@@ -61,10 +61,11 @@ void Search::subtract() {
   }
 }
 
-/// If no line fits a peak near zero frequency, it is a decay without oscillation: a line and its mirror image would
-/// grow without bound to cancel each other.
+/// If no line fits a peak whose band reaches zero frequency, it is a decay without oscillation: a line and its mirror
+/// image would grow without bound to cancel each other.
 void Search::add(const Line& candidate) {
-  if (!model_.add(candidate) && !swings(candidate)) {
+  const bool reaches_zero = line_spectrum_.band_around(candidate).begin == 0;
+  if (!model_.add(candidate) && reaches_zero) {
     model_.add({.frequency = 0.0, .damping = candidate.damping, .amplitude = candidate.amplitude.real()});
   }
 }
@@ -80,8 +81,9 @@ void Search::polish() {
     moved = 0.0;
     for (std::size_t j = 0; j < model_.lines().size(); ++j) {
       const double before = line_spectrum_.bin_of(model_.lines()[j]);
-      model_.refit(j);
-      moved = std::max(moved, std::abs(line_spectrum_.bin_of(model_.lines()[j]) - before));
+      if (model_.refit(j)) {
+        moved = std::max(moved, std::abs(line_spectrum_.bin_of(model_.lines()[j]) - before));
+      }
     }
   }
 }

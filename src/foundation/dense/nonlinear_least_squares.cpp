@@ -1,10 +1,10 @@
-#include "least_squares.hpp"
+#include "idiophone/foundation/dense/nonlinear_least_squares.hpp"
 
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <stdexcept>
 
-namespace idiophone::fitting {
+namespace idiophone::dense {
 
 namespace {
 
@@ -49,9 +49,9 @@ LeastSquares minimize(const Residuals& residuals, const Jacobian& jacobian, cons
   if (!first) {
     throw std::invalid_argument("least squares: the start is not allowed");
   }
-  LeastSquares now{start, *first, jacobian(start)};
+  LeastSquares now{start, *first, jacobian(start), 0};
   double damping = first_damping;
-  for (int iteration = 0; iteration < stop.iterations; ++iteration) {
+  for (; now.iterations < stop.iterations; ++now.iterations) {
     if (now.residuals.lpNorm<Eigen::Infinity>() <= stop.residual) {
       break;
     }
@@ -61,9 +61,14 @@ LeastSquares minimize(const Residuals& residuals, const Jacobian& jacobian, cons
     }
     const VectorXd next = now.point + step;
     const auto there = residuals(next);
-    if (there && there->squaredNorm() < now.residuals.squaredNorm()) {
-      now = {next, *there, jacobian(next)};
+    const double before = now.residuals.squaredNorm(), after = there ? there->squaredNorm() : before;
+    if (after < before) {
+      now = {next, *there, jacobian(next), now.iterations};
       damping = std::max(relaxation * damping, smallest_damping);
+      if (before - after < stop.reduction * before) {
+        ++now.iterations;
+        break;
+      }
     } else {
       damping = std::min(tightening * damping, largest_damping);
     }
@@ -71,4 +76,4 @@ LeastSquares minimize(const Residuals& residuals, const Jacobian& jacobian, cons
   return now;
 }
 
-}  // namespace idiophone::fitting
+}  // namespace idiophone::dense

@@ -5,7 +5,7 @@
 #include <functional>
 #include <optional>
 
-namespace idiophone::fitting {
+namespace idiophone::dense {
 
 /// Residuals at a point; none where the point is not allowed.
 using Residuals = std::function<std::optional<Eigen::VectorXd>(const Eigen::VectorXd& point)>;
@@ -17,15 +17,17 @@ struct Box {
 };
 
 struct StopRule {
-  double residual = 0.0;  ///< stop when no residual is larger
-  double step = 1e-10;    ///< or when no unknown would change by more
-  int iterations = 50;    ///< at most
+  double residual = 0.0;   ///< stop when no residual is larger
+  double step = 1e-10;     ///< or when no unknown would change by more
+  double reduction = 0.0;  ///< or when a step lowers the sum of squares by a smaller part of it
+  int iterations = 50;     ///< at most
 };
 
 struct LeastSquares {
   Eigen::VectorXd point;
   Eigen::VectorXd residuals;
   Eigen::MatrixXd jacobian;  ///< at the point
+  int iterations = 0;        ///< each solves a system of [unknowns x unknowns]
 };
 
 /// A local minimum of the sum of squared residuals.
@@ -34,4 +36,4 @@ struct LeastSquares {
 [[nodiscard]] LeastSquares minimize(const Residuals& residuals, const Jacobian& jacobian, const Eigen::VectorXd& start,
                                     const Box& box, const StopRule& stop);
 
-}  // namespace idiophone::fitting
+}  // namespace idiophone::dense

@@ -1,12 +1,11 @@
-#include "least_squares.hpp"
-#include "ranks.hpp"
+#include "idiophone/foundation/dense/nonlinear_least_squares.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 
-namespace idiophone::fitting {
+namespace idiophone::dense {
 namespace {
 
 using Eigen::MatrixXd;
@@ -24,8 +23,6 @@ std::optional<VectorXd> valley(const VectorXd& point) {
 MatrixXd valley_slopes(const VectorXd& point) {
   return (Eigen::Matrix2d() << -20 * point[0], 10, -1, 0).finished();
 }
-
-ON_RANKS(1);
 
 TEST(LeastSquares, FindsTheEndOfACurvedValley) {
   const LeastSquares found = minimize(valley, valley_slopes, Vector2d(-1.2, 1), everywhere, {});
@@ -55,6 +52,23 @@ TEST(LeastSquares, StopsAtTheWantedResidual) {
   EXPECT_GT(found.residuals.norm(), 1e-3);
 }
 
+TEST(LeastSquares, StopsWhereAStepLowersTheSumByASmallPart) {
+  // A residual that can't vanish: steps gain less and less of the sum.
+  const auto raised = [](const VectorXd& point) -> std::optional<VectorXd> {
+    return (VectorXd(3) << *valley(point), 1).finished();
+  };
+  const auto slopes = [](const VectorXd& point) -> MatrixXd {
+    return (MatrixXd(3, 2) << valley_slopes(point), Eigen::RowVector2d::Zero()).finished();
+  };
+  const auto found_by = [&](const StopRule& stop) {
+    return minimize(raised, slopes, Vector2d(-1.2, 1), everywhere, stop);
+  };
+  const LeastSquares whole = found_by({}), shorter = found_by({.reduction = 1e-4});
+  EXPECT_LT(shorter.iterations, whole.iterations);
+  EXPECT_NEAR((shorter.point - Vector2d(1, 1)).norm(), 0, 0.02);
+  EXPECT_EQ(found_by({.iterations = 3}).iterations, 3);
+}
+
 TEST(LeastSquares, OneResidualAndTwoUnknowns) {
   const auto sum = [](const VectorXd& point) -> std::optional<VectorXd> {
     return VectorXd::Constant(1, point[0] + point[1] - 3);
@@ -65,4 +79,4 @@ TEST(LeastSquares, OneResidualAndTwoUnknowns) {
 }
 
 }  // namespace
-}  // namespace idiophone::fitting
+}  // namespace idiophone::dense
