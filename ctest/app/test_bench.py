@@ -60,6 +60,11 @@ class Bench(program.TestCase):
         self.assertTrue(seen["cut_triangles"] > 0 and seen["coloured"] > 5, "the surface is not coloured")
         self.assertNotEqual(seen["first_legend"], seen["last_legend"])
 
+    def test_the_plan_goes_on_where_the_mesh_bears_grooves_badly(self):
+        """The nodes of this mesh lie 12 mm apart, as far as a groove is wide: more depth in it does what no slope says."""
+        last = self.facts()["visits"][-1]
+        self.assertLess(max(map(abs, last["expected"])), 25)
+
     def computed(self, *arguments):
         modes = program.idiophone("modes", BAR, *COARSE, *arguments, "--mass", "consistent", "--modes", "6", "--output-folder",
                                   self.output, "--json")

@@ -220,6 +220,21 @@ TEST(Plan, MakesCutsShallowerOrRefusesThemWhereTheSolvedBodyGoesTooFar) {
   EXPECT_TRUE(careful.is_settled);
 }
 
+// As beside grooves that a coarse mesh bears badly: whatever the slopes say, cuts of one half do nothing.
+TEST(Plan, TriesOtherPlacesWhereTheSolvedBodyDoesNotDoWhatTheSlopesSay) {
+  const CutModel half_dead = [](const std::vector<Cut>& cuts) {
+    std::vector<Cut> alive = cuts;
+    std::erase_if(alive, [](const Cut& cut) { return cut.place < 0; });
+    return straight(bar())(alive);
+  };
+  const Partials partials{Eigen::Vector2d(60, 15), Eigen::Vector2d(0.5, 0.5), false};
+  const Plan plan = plan_cuts(half_dead, both_tools, partials, {});
+  ASSERT_EQ(plan.verdict, Verdict::cut);
+  EXPECT_LT(plan.visits.front().expected.norm(), 30);
+  EXPECT_GE(plan.visits.front().cuts.front().place, 0);
+  expect_safe(plan, 5);
+}
+
 // No cut by the doubted tool is allowed, so it is the solved body that refuses the cuts.
 TEST(Plan, RemembersThatTheSolvedBodyRefusedCutsOfTheFirstTools) {
   std::vector<Tool> tools = both_tools;

@@ -84,6 +84,18 @@ MatrixXd Candidates::only(const std::vector<Cut>& cuts, const MatrixXd& moves) c
   return kept;
 }
 
+MatrixXd Candidates::without(const std::vector<Cut>& cuts, MatrixXd moves) const {
+  for (const Cut& cut : cuts) {
+    const Index number = number_of(cut);
+    for (Index c = 0; c < moves.cols(); ++c) {
+      if (overlap(number, c)) {
+        moves.col(c).setZero();
+      }
+    }
+  }
+  return moves;
+}
+
 VectorXd sum_of(const std::vector<Cut>& cuts, Index partials) {
   VectorXd sum = VectorXd::Zero(partials);
   for (const Cut& cut : cuts) {

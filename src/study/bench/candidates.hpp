@@ -37,6 +37,9 @@ class Candidates {
   /// The columns of some cuts; zero for all others. [partials x candidates]
   [[nodiscard]] Eigen::MatrixXd only(const std::vector<Cut>& cuts, const Eigen::MatrixXd& moves) const;
 
+  /// Zero for the columns of candidates that overlap some cuts. [partials x candidates]
+  [[nodiscard]] Eigen::MatrixXd without(const std::vector<Cut>& cuts, Eigen::MatrixXd moves) const;
+
  private:
   struct Candidate {
     Tool tool;

@@ -187,16 +187,38 @@ class Planner {
     return std::move(trial.visit);
   }
 
-  /// The cuts of one visit: chosen by slopes, then made deeper or less deep by slopes half-way between the body before
-  /// and after them. Where the rounds do not end, the cuts become shallower until they are safe.
+  /// The cuts of one visit. Where the body that is solved with them does not do what the slopes say, as beside grooves
+  /// that its mesh bears badly, they may bring the partials hardly nearer. Then other places are tried.
   std::optional<Visit> next_visit(const VectorXd& errors, const Choice& choice) {
-    constexpr int most_rounds = 5;
+    constexpr int most_attempts = 4;
+    constexpr double hardly = 0.9;  // of the errors are left
     const MatrixXd before = candidates_.slopes(body_.strips);
-    MatrixXd slopes = before;
     MatrixXd moves = allowed(before, errors, choice);
+    std::optional<Trial> best;
+    const auto left = [&] { return best ? best->visit.expected.norm() : errors.norm(); };
+    for (int attempt = 0; attempt < most_attempts && left() > hardly * errors.norm(); ++attempt) {
+      std::vector<Cut> cuts;
+      std::optional<Trial> trial = safe_trial(cuts, moves, before, errors);
+      if (trial && trial->visit.expected.norm() < left()) {
+        best = std::move(trial);
+      }
+      if (cuts.empty()) {
+        break;
+      }
+      moves = candidates_.without(cuts, moves);
+    }
+    return best ? std::optional(adopt(std::move(*best))) : std::nullopt;
+  }
+
+  /// Cuts that are chosen by slopes, then made deeper or less deep by slopes half-way between the body before and after
+  /// them. Where the rounds do not end, the cuts become shallower until they are safe.
+  /// @param cuts  those that were tried last, before they became shallower
+  std::optional<Trial> safe_trial(std::vector<Cut>& cuts, MatrixXd moves, const MatrixXd& before,
+                                  const VectorXd& errors) {
+    constexpr int most_rounds = 5;
+    MatrixXd slopes = before;
     VectorXd beside = VectorXd::Zero(errors.size());
     VectorXd margin = beside;
-    std::vector<Cut> cuts;
     for (int round = 0; round < most_rounds; ++round) {
       std::vector<Cut> next = chosen(moves, slopes, beside + margin, errors);
       if (next.empty()) {
@@ -205,23 +227,23 @@ class Planner {
       cuts = std::move(next);
       Trial trial = tried(cuts, before, errors);
       if (round > 0 && is_good(trial, errors)) {
-        return adopt(std::move(trial));
+        return trial;
       }
       slopes = trial.slopes;
       moves = candidates_.only(cuts, certainty_.of_intervals(slopes));
       beside = certainty_.of_intervals(trial.moved - sum_of(trial.visit.cuts, errors.size()));
       margin += round > 0 ? too_far(trial, errors) : VectorXd::Zero(errors.size());
     }
-    return shallower_visit(std::move(cuts), before, errors);
+    return shallower_trial(cuts, before, errors);
   }
 
-  std::optional<Visit> shallower_visit(std::vector<Cut> cuts, const MatrixXd& before, const VectorXd& errors) {
+  std::optional<Trial> shallower_trial(std::vector<Cut> cuts, const MatrixXd& before, const VectorXd& errors) {
     plan_.is_settled = plan_.is_settled && cuts.empty();
     constexpr double share = 0.6;
     while (!(cuts = shallower(cuts, share, options_.depth_error)).empty()) {
       Trial trial = tried(cuts, before, errors);
       if (is_good(trial, errors)) {
-        return adopt(std::move(trial));
+        return trial;
       }
     }
     return {};
