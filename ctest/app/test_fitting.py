@@ -82,6 +82,12 @@ class Identify(program.TestCase):
         text = program.idiophone(*words).stdout
         self.assertRegex(text, r"bodies:\n  block:\n    grain: \{euler: \[-?20\.0\d+, 0.0000, 0.0000\]\}|euler: \[-?19\.99")
 
+    def test_what_is_expected_of_turns_needs_turns(self):
+        deck = self.crystal("untouched", {"c11": 165.7e9, "c12": 63.9e9, "c44": 79.6e9}, [0, 0, 0])
+        job = program.idiophone("identify", deck, "--measured", "any.yaml", "--turn-deviation", "5")
+        self.require_status(job, program.FAILED)
+        self.assertIn("--fit constants,turns", job.stderr)
+
     def require_refusal(self, lines, doubt):
         """That the fit is not accepted, and says why, in text and as JSON."""
         job = self.identify(measured=json.dumps({"lines": lines}))

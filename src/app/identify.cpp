@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <optional>
 #include <stdexcept>
 
 #include "answer.hpp"
@@ -27,11 +29,12 @@ namespace {
 struct IdentifyOptions {
   std::filesystem::path deck;
   std::vector<std::string> overrides;
-  std::filesystem::path measured;      ///< a YAML file, or a recording
-  std::string body;                    ///< empty for the first
-  std::vector<std::string> constants;  ///< and turns to fit; empty for all constants of the material
-  double tolerance = 50.0;             ///< cents, between a line and its mode
-  std::optional<int> lines;            ///< fit only so many, the lowest
+  std::filesystem::path measured;        ///< a YAML file, or a recording
+  std::string body;                      ///< empty for the first
+  std::vector<std::string> constants;    ///< and turns to fit; empty for all constants of the material
+  double tolerance = 50.0;               ///< cents, between a line and its mode
+  std::optional<int> lines;              ///< fit only so many, the lowest
+  std::optional<double> turn_deviation;  ///< degrees, of each turn beforehand
   eigenmodes::MassMatrix mass = eigenmodes::MassMatrix::consistent;
   Style style = Style::text;
 };
@@ -50,8 +53,16 @@ void declare(CLI::App& app, IdentifyOptions& options) {
   app.add_option("--tolerance", options.tolerance, "cents between a line and its mode")->capture_default_str();
   app.add_option("--lines", options.lines, "fit only so many lines, the lowest, and predict the others")
       ->check(CLI::Range(1, 1000000));
+  app.add_option("--turn-deviation", options.turn_deviation,
+                 "degrees, standard deviation of each turn that is expected; the search begins within twice that "
+                 "(default: 17)")
+      ->check(CLI::Range(0.1, 45.0));
   add_mass(app, options.mass, "consistent, or lumped, as the motion has it");
   add_json(app, options.style);
+}
+
+std::optional<double> in_radians(std::optional<double> degrees) {
+  return degrees ? std::optional(*degrees * std::numbers::pi / 180) : std::nullopt;
 }
 
 using fitting::AssignedLine;
@@ -132,6 +143,12 @@ int identify(const IdentifyOptions& options) {
   if (!(options.tolerance > 0 && std::isfinite(options.tolerance))) {
     throw std::runtime_error(fmt::format("--tolerance must be above 0 cents, not {}", options.tolerance));
   }
+  const bool has_turns =
+      std::ranges::any_of(options.constants, [](const std::string& name) { return name.starts_with("turn"); });
+  if (options.turn_deviation && !has_turns) {
+    throw std::runtime_error(
+        "--turn-deviation is of turns that are fitted: name them, for example --fit constants,turns");
+  }
   const scene::Scene scene = bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
   scene::refuse_joints(scene, "identify");
   const std::size_t body = scene::find_body(scene.bodies, options.body);
@@ -145,6 +162,7 @@ int identify(const IdentifyOptions& options) {
                              {.constants = options.constants,
                               .tolerance = options.tolerance,
                               .lines = options.lines,
+                              .turn_deviation = in_radians(options.turn_deviation),
                               .mass = options.mass,
                               .watch = watch_by(progress)});
   }();

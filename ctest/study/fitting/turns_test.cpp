@@ -285,6 +285,44 @@ TEST(Turns, NoFitOfWoodIsWrongWithoutADoubt) {
   EXPECT_GE(accepted, bodies / 2);
 }
 
+// Lines of three modes tell little of three turns, so what is expected counts.
+TEST(Turns, AreExpectedToBeAsSmallAsTheUserSays) {
+  const StrainedBody body = free_body(turned_block_of(silicon)).reduced(60);
+  const Measurements measured = lines_of_turned(body, turned(silicon, {1, -1, 1}), 3);
+  const auto widest = [&](std::optional<double> deviation) {
+    const Identification found = identify(body, measured, {.constants = {"turns"}, .turn_deviation = deviation});
+    return std::ranges::max(found.constants, {}, &IdentifiedConstant::half_width).half_width;
+  };
+  constexpr double degree = std::numbers::pi / 180;
+  EXPECT_LT(widest(2 * degree), 4.0) << "1.96 standard deviations of 2 degrees";
+  EXPECT_GT(widest(std::nullopt), 8.0);
+}
+
+// Of the same eight bodies, five fits are accepted if turns are expected within 17 degrees.
+TEST(Turns, OfWoodThatAreExpectedToBeSmallEndInFewerWrongMinima) {
+  LONG_VERIFICATION();
+  constexpr int bodies = 8;
+  std::mt19937 generator(1);
+  std::normal_distribution<double> error(0, 2);
+  const StrainedBody body = free_body(turned_block_of(spruce())).reduced(120);
+  int accepted = 0;
+  for (int n = 0; n < bodies; ++n) {
+    TurnedMaterial wood = some_spruce(generator);
+    wood.turns /= 5;
+    Measurements measured = lines_of_turned(body, wood, 40, 0);
+    for (Line& line : measured.lines) {
+      line.frequency *= std::exp2(error(generator) / 1200);
+    }
+    std::ranges::sort(measured.lines, {}, &Line::frequency);
+    const Identification found =
+        identify(body, measured, {.constants = {"constants", "turns"}, .turn_deviation = 0.07});
+    const bool is_right = (turns_found(found).cwiseAbs() - wood.turns.cwiseAbs()).lpNorm<Eigen::Infinity>() < 1;
+    EXPECT_TRUE(is_right || !found.doubts.empty()) << "body " << n;
+    accepted += found.doubts.empty() ? 1 : 0;
+  }
+  EXPECT_GE(accepted, 7);
+}
+
 // Each is as likely as the other three, so the nearest counts.
 TEST(Turns, IntervalsHoldTheTruth) {
   LONG_VERIFICATION();

@@ -171,11 +171,14 @@ double MaterialFit::adopt(const MatchedFit& fit) {
   return change;
 }
 
-/// Moduli within a fifth or so of a table's, ratios within 0.1, turns within 17 degrees.
+/// Moduli within a fifth or so of a table's, ratios within 0.1, turns within 17 degrees, or as the user says.
 Expectation MaterialFit::expectation_of(const TurnedMaterial& material) const {
   Expectation expected{unknowns(constants_, material), {}};
   expected.deviation.resize(expected.middle.size());
-  std::ranges::transform(constants_, expected.deviation.begin(), expected_deviation);
+  std::ranges::transform(constants_, expected.deviation.begin(), [&](const ElasticConstant& constant) {
+    const double usual = expected_deviation(constant);
+    return constant.kind == ConstantKind::turn ? options_.turn_deviation.value_or(usual) : usual;
+  });
   return expected;
 }
 

@@ -128,7 +128,8 @@ int MaterialFit::starting_turns() const {
 /// The deck's axes, and others around them where they may turn. Where the axes lie along planes of symmetry of the
 /// body, all derivatives by the turns are zero, so a fit from there alone would stay there.
 std::vector<TurnedMaterial> MaterialFit::turned_starts() const {
-  constexpr double reach = 0.6;  // rad, of each turn
+  constexpr double usual_reach = 0.6;  // rad, of each turn
+  const double reach = options_.turn_deviation ? 2 * *options_.turn_deviation : usual_reach;
   std::vector<TurnedMaterial> starts = {start_};
   const auto turns = std::ranges::count(constants_, ConstantKind::turn, &ElasticConstant::kind);
   for (int number = 1; number <= starting_turns(); ++number) {

@@ -16,8 +16,10 @@ struct IdentificationOptions {
   /// Names of the constants to fit, and of the turns turn_x, turn_y and turn_z of a material that is not isotropic,
   /// about its own axes. "constants" stands for all constants, "turns" for the three turns. Empty: all constants.
   std::vector<std::string> constants = {};
-  double tolerance = 50.0;        ///< the largest distance of a line from its mode, cents
-  std::optional<int> lines = {};  ///< fit only so many, the lowest; the others show how well it predicts
+  double tolerance = 50.0;                    ///< the largest distance of a line from its mode, cents
+  std::optional<int> lines = {};              ///< fit only so many, the lowest; the others show how well it predicts
+  std::optional<double> turn_deviation = {};  ///< standard deviation of each turn beforehand, rad; 0.3 (17 degrees) if
+                                              ///< omitted. The search begins within twice that
   eigenmodes::MassMatrix mass = eigenmodes::MassMatrix::consistent;
   Watch watch = {};  ///< none: the search goes on to its end
 };
