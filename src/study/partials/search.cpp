@@ -61,11 +61,10 @@ void Search::subtract() {
   }
 }
 
-/// If no line fits a peak whose band reaches zero frequency, it is a decay without oscillation: a line and its mirror
-/// image would grow without bound to cancel each other.
+/// If no line fits a peak near zero frequency, it is a decay without oscillation: a line and its mirror image would
+/// grow without bound to cancel each other.
 void Search::add(const Line& candidate) {
-  const bool reaches_zero = line_spectrum_.band_around(candidate).begin == 0;
-  if (!model_.add(candidate) && reaches_zero) {
+  if (!model_.add(candidate) && !swings(candidate)) {
     model_.add({.frequency = 0.0, .damping = candidate.damping, .amplitude = candidate.amplitude.real()});
   }
 }
