@@ -240,6 +240,51 @@ class Joints(program.TestCase):
                 self.assertEqual(file[f"modes/{body}/shape"].shape[1:], file[f"mesh/{body}/nodes"].shape)
             numpy.testing.assert_array_equal(file["modes/left/frequency"], file["modes/right/frequency"])
 
+    def kinds(self, bodies, joints, count):
+        """The modes of bars of steel, 30 x 10 mm, from --json.
+        @param bodies  [(name, length, begin)] in m"""
+        deck = self.output / "bars.yaml"
+        bar = ("mesh: %s, parameters: {length: %s, width: 0.03, thickness: 0.01, size: 0.1}, position: [%s, %s, 0], "
+               "element: hex, order: {plane: 4, thickness: 2}, material: steel")
+        sections = "".join(f"  {name}: {{{bar % (program.SOURCE / 'meshes/bar.geo', length, *begin)}}}\n"
+                           for name, length, begin in bodies)
+        deck.write_text(f"""name: bars
+time: {{duration: 0.01}}
+materials: {{steel: {{young: 2.0e11, poisson: 0.3, density: 7850}}}}
+bodies:
+{sections}joints: {{{joints}}}
+listeners: {{ear: {{type: mono, position: [0, 0, 1]}}}}
+""")
+        job = program.idiophone("modes", deck, "--modes", count, "--no-estimate", "--output-folder", self.output, "--json")
+        self.require_status(job, program.FINISHED)
+        return json.loads(job.stdout)["modes"]
+
+    def test_a_bar_that_is_cut_and_tied_has_the_kinds_of_the_whole_bar(self):
+        whole = self.kinds([("bar", 0.3, (0, 0))], "", 12)
+        tied = self.kinds([("left", 0.1, (0, 0)), ("right", 0.2, (0.1, 0))],
+                          "weld: {between: [left.tip, right.clamp], stiffness: rigid}", 12)
+        self.assertEqual([mode["kind"] for mode in tied], [mode["kind"] for mode in whole])
+        self.assertEqual(whole[0]["kind"], "bending 1 along z")
+        self.assertEqual(whole[0]["kinetic_energy"], {"bar": 1})
+        stretched, = [mode for mode in tied if mode["kind"] == "longitudinal 1"]
+        exact = (1 + numpy.sqrt(0.75) / numpy.pi * 1.5) / 3  # of cos(pi x/l)^2, up to l/3: 1/3 + sin(2 pi/3)/(2 pi)
+        self.assertAlmostEqual(stretched["kinetic_energy"]["left"], exact, 3)
+        with h5py.File(self.output / "bars_modes.h5") as file:
+            for body in "left", "right":
+                self.assertEqual([text.decode() for text in file[f"modes/{body}/kind"]], [mode["kind"] for mode in tied])
+                numpy.testing.assert_allclose(file[f"modes/{body}/kinetic_share"],
+                                              [mode["kinetic_energy"][body] for mode in tied], rtol=1e-12)
+
+    def test_modes_of_one_of_several_bodies_on_springs_have_its_name(self):
+        bars = [("short", 0.2, (0, 0)), ("long", 0.3, (0, 0.05))]
+        modes = self.kinds(bars, "cord: {type: spring, between: [short.clamp, long.clamp], stiffness: 1000}", 8)
+        bending = [mode for mode in modes if mode["kind"] in ("long: bending 1 along z", "short: bending 1 along z")]
+        self.assertEqual([mode["kind"].split(":")[0] for mode in bending], ["long", "short"])
+        for mode, length in zip(bending, (0.3, 0.2)):
+            self.assertGreater(max(mode["kinetic_energy"].values()), 0.9)
+            exact = 4.73004 ** 2 / (2 * numpy.pi) * numpy.sqrt(2e11 / 7850) * 0.01 / numpy.sqrt(12) / length ** 2
+            self.assertAlmostEqual(mode["frequency"] / exact, 1, delta=0.02)
+
     def test_modes_of_glued_bodies_have_an_error_of_the_mesh(self):
         job = program.idiophone("modes", program.deck("bar_of_layers"), "--modes", 3, "--json", "--output-folder", self.output)
         self.require_status(job, program.FINISHED)

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <numeric>
 
 #include "idiophone/run/loop/facts.hpp"
 
@@ -20,7 +22,38 @@ std::string cents(double value) {
   return std::isnan(value) ? "-" : fmt::format("{:+.1f}", value);
 }
 
-void print_head(const ModeTable& table) {
+/// The bodies that have a part of the kinetic energy, the largest first: "lid 93 %, box 7 %".
+std::string shares(const std::vector<std::string>& bodies, const std::vector<double>& kinetic_shares) {
+  constexpr double least = 0.005;
+  std::vector<std::size_t> order(bodies.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, std::greater<>(), [&](std::size_t b) { return kinetic_shares[b]; });
+  std::string text;
+  for (const std::size_t b : order) {
+    if (kinetic_shares[b] >= least) {
+      text += fmt::format("{}{} {:.0f} %", text.empty() ? "" : ", ", bodies[b], 100 * kinetic_shares[b]);
+    }
+  }
+  return text;
+}
+
+/// The head and the cells of the column of shares; empty texts where there is one body.
+std::vector<std::string> column_of_shares(const ModeTable& table) {
+  std::vector<std::string> column(table.modes.size() + 1);
+  if (table.bodies.size() == 1) {
+    return column;
+  }
+  column.front() = "kinetic energy";
+  for (std::size_t mode = 0; mode < table.modes.size(); ++mode) {
+    column[mode + 1] = shares(table.bodies, table.modes[mode].kinetic_shares);
+  }
+  const std::size_t width = std::ranges::max(column, {}, &std::string::size).size();
+  std::ranges::for_each(column, [&](std::string& cell) { cell = fmt::format("  {:>{}}", cell, width); });
+  return column;
+}
+
+/// @param shares  as column_of_shares()
+void print_head(const ModeTable& table, const std::string& shares) {
   fmt::print("{:>4}  {:>14}  {:>13}  {:>9}{}{}", "mode", "frequency/Hz", "damping ratio", "T60/s",
              table.mesh_errors.empty() ? "" : "  mesh/cents", table.air.shift.empty() ? "" : "  air/cents");
   if (table.bounds) {
@@ -29,10 +62,10 @@ void print_head(const ModeTable& table) {
   for (const auto& set : table.references) {
     fmt::print("{}", partials::cents_head(set));
   }
-  fmt::print("{}\n", has_kinds(table) ? "  kind" : "");
+  fmt::print("{}{}\n", shares, has_kinds(table) ? "  kind" : "");
 }
 
-void print_mode(const ModeTable& table, std::size_t number) {
+void print_mode(const ModeTable& table, std::size_t number, const std::string& shares) {
   const eigenmodes::Mode& mode = table.modes[number];
   fmt::print("{:>4}  {:>14.4f}  {:>13.4g}  {:>9}", number + 1, mode.frequency, mode.damping_ratio,
              std::isfinite(mode.decay_time) ? fmt::format("{:.4g}", mode.decay_time) : "-");
@@ -50,7 +83,7 @@ void print_mode(const ModeTable& table, std::size_t number) {
   for (const auto& set : table.references) {
     fmt::print("{}", partials::cents_cell(partials::cents_from_nearest(mode.frequency, set, table.tolerance), set));
   }
-  fmt::print("{}{}\n", has_kinds(table) ? "  " : "", table.kinds[number]);
+  fmt::print("{}{}{}\n", shares, has_kinds(table) ? "  " : "", table.kinds[number]);
 }
 
 }  // namespace
@@ -64,9 +97,10 @@ std::vector<partials::References> references_of(const scene::Scene& scene) {
 }
 
 void print(const ModeTable& table) {
-  print_head(table);
+  const std::vector<std::string> shares = column_of_shares(table);
+  print_head(table, shares.front());
   for (std::size_t number = 0; number < table.modes.size(); ++number) {
-    print_mode(table, number);
+    print_mode(table, number, shares[number + 1]);
   }
   if (table.bounds) {
     fmt::print("({})\n", assumption(*table.bounds));
@@ -88,6 +122,9 @@ nlohmann::json to_json(const ModeTable& table) {
         {"kind", kind.empty() ? nlohmann::json() : nlohmann::json(kind)},
         {"mesh_error", table.mesh_errors.empty() ? nlohmann::json() : loop::number_or_null(table.mesh_errors[number])},
         {"cents", nlohmann::json::object()}};
+    for (std::size_t b = 0; b < table.bodies.size(); ++b) {
+      one["kinetic_energy"][table.bodies[b]] = mode.kinetic_shares[b];
+    }
     if (!table.air.shift.empty()) {
       one["air_shift"] = loop::number_or_null(table.air.shift[number]);
       one["radiation_decay"] = loop::number_or_null(table.air.radiation_decay[number]);

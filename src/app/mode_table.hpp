@@ -20,7 +20,8 @@ struct ModeTable {
   std::vector<double> mesh_errors;  ///< [modes] estimates, cents; empty without
   AirOfModes air;
   const std::optional<eigenmodes::FrequencyBounds>& bounds;
-  std::vector<std::string> kinds;  ///< [modes]; empty texts for unknown ones
+  std::vector<std::string> kinds;   ///< [modes]; empty texts for unknown ones
+  std::vector<std::string> bodies;  ///< names
   std::vector<partials::References> references;
   double tolerance;  ///< of matches with references, cents
 };

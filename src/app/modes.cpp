@@ -18,12 +18,12 @@
 #include "idiophone/scene/find_body.hpp"
 #include "idiophone/scene/joined_bodies.hpp"
 #include "idiophone/solids/eigenmodes/whole_shapes.hpp"
-#include "idiophone/study/mode_kinds/mode_kinds.hpp"
 #include "idiophone/study/mode_pictures/mode_pictures.hpp"
 #include "mode_bounds.hpp"
 #include "mode_table.hpp"
 #include "modes_file.hpp"
 #include "modes_options.hpp"
+#include "named_modes.hpp"
 #include "search_watch.hpp"
 
 namespace idiophone::app {
@@ -50,6 +50,7 @@ struct KnownModes {
   std::vector<double> mesh_errors;  ///< [modes] cents; empty without
   std::optional<AirOfModes> air;
   std::optional<eigenmodes::FrequencyBounds> bounds;
+  std::vector<std::string> kinds;     ///< [modes] empty texts for unknown ones
   std::vector<std::string> left_out;  ///< by a signal: "8 of 20 modes"
 };
 
@@ -109,10 +110,14 @@ void add_air(const ModesOptions& options, const std::vector<mesh::Mesh>& meshes,
   known.its.shapes = eigenmodes::whole_shapes(found, known.its.part, communicator);
 }
 
-void answer(const ModesOptions& options, std::span<const scene::Body> bodies, const KnownModes& known,
-            const ModeTable& table) {
+std::vector<std::string> names_of(std::span<const scene::Body> bodies) {
   std::vector<std::string> names;
   std::ranges::transform(bodies, std::back_inserter(names), &scene::Body::name);
+  return names;
+}
+
+void answer(const ModesOptions& options, const KnownModes& known, const ModeTable& table) {
+  const std::vector<std::string>& names = table.bodies;
   const mesh::Part& part = known.its.part;
   const int rigid_motions = known.its.found.rigid_motions;
   if (options.style == Style::json) {
@@ -161,24 +166,24 @@ int modes(const ModesOptions& options) {
   if (!has_joints) {
     add_air(options, meshes, scene.radiation.air, known, communicator);
   }
+  known.kinds = kinds_of(known.its, scene, meshes, communicator);
   write_modes(options.output,
               {.scene = scene,
                .mass = mass_name(options.mass) + (known.air ? " with air" : ""),
                .found = known.its.found,
                .mesh_errors = known.mesh_errors,
                .bounds = known.bounds,
+               .kinds = known.kinds,
                .facts = facts_of_modes(scene, meshes)},
               known.its.part, known.its.offsets, communicator);
   parallel::on_root(communicator, [&] {
-    const auto kinds = has_joints ? std::vector<std::string>(known.its.shapes.size())
-                                  : mode_kinds::kinds_of(meshes.front().nodes, known.its.shapes);
     if (options.pictures) {
       draw_modes(options.output / (name_of_modes(scene) + ".svg"), meshes.front(), known.its.found, known.its.shapes,
-                 kinds);
+                 known.kinds);
     }
-    answer(options, scene.bodies, known,
-           {known.its.found.modes, known.mesh_errors, known.air.value_or(AirOfModes{}), known.bounds, kinds,
-            references_of(scene), options.tolerance});
+    answer(options, known,
+           {known.its.found.modes, known.mesh_errors, known.air.value_or(AirOfModes{}), known.bounds, known.kinds,
+            names_of(scene.bodies), references_of(scene), options.tolerance});
     if (!known.left_out.empty()) {
       say_left_out(known.left_out);
     }

@@ -30,17 +30,21 @@ nlohmann::json facts_of_modes(const scene::Scene& scene, const std::vector<mesh:
 namespace {
 
 /// Those of one body; the file's shapes must outlive them.
-results::BodyModes modes_of_body(const ModesFile& file, const record::StoredBody& body, const mesh::BodyPart& part) {
+results::BodyModes modes_of_body(const ModesFile& file, const record::StoredBody& body, const mesh::Part& all,
+                                 std::size_t number) {
+  const mesh::BodyPart& part = all.bodies[number];
   results::BodyModes modes;
   modes.body = body.name();
   modes.nodes = &body.nodes();
   modes.mass = file.mass;
   modes.rigid_motions = file.found.rigid_motions;
   modes.mesh_errors = file.mesh_errors;
+  modes.kinds = file.kinds;
   for (const eigenmodes::Mode& mode : file.found.modes) {
     modes.frequencies.push_back(mode.frequency);
     modes.damping_ratios.push_back(mode.damping_ratio);
     modes.decay_times.push_back(mode.decay_time);
+    modes.kinetic_shares.push_back(mode.kinetic_shares[number]);
     modes.shapes.emplace_back(
         std::span(mode.shape).subspan(3UL * part.owned_begin, 3UL * (part.owned_end - part.owned_begin)));
   }
@@ -59,7 +63,7 @@ void write_modes(const std::filesystem::path& folder, const ModesFile& file, con
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const record::StoredBody body(scene.bodies[b].name, part, offsets, b, communicator);
     body.add_mesh(result);
-    result.add_modes(modes_of_body(file, body, part.bodies[b]));
+    result.add_modes(modes_of_body(file, body, part, b));
     if (file.bounds) {
       result.note(fmt::format("/modes/{}/bounds", body.name()), bounds_facts(*file.bounds));
     }

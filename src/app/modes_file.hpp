@@ -24,7 +24,8 @@ struct ModesFile {
   const eigenmodes::Modes& found;
   const std::vector<double>& mesh_errors;  ///< [modes] cents; empty without
   const std::optional<eigenmodes::FrequencyBounds>& bounds;
-  nlohmann::json facts;  ///< rank 0's
+  const std::vector<std::string>& kinds;  ///< [modes] empty texts for unknown ones
+  nlohmann::json facts;                   ///< rank 0's
 };
 
 /// The name of the files, without extension: NAME_modes.

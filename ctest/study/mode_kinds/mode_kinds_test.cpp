@@ -179,5 +179,68 @@ TEST(ModeKinds, OfOtherBodiesHaveNoNames) {
               testing::ElementsAre(""));
 }
 
+/// Two boxes, and fields over the first and the second one.
+struct TwoBodies {
+  [[nodiscard]] std::vector<std::string> kinds(bool is_one_piece, const std::vector<std::array<Field, 2>>& modes,
+                                               const std::vector<std::vector<double>>& shares) const {
+    const std::array<std::span<const Vector3>, 2> bodies = {first, second};
+    std::vector<std::vector<double>> shapes;
+    for (const std::array<Field, 2>& fields : modes) {
+      auto& shape = shapes.emplace_back();
+      for (const std::size_t b : {0, 1}) {
+        for (const Vector3& node : bodies[b]) {
+          const Vector3 way = fields[b](node);
+          shape.insert(shape.end(), way.begin(), way.end());
+        }
+      }
+    }
+    return kinds_of_assembly(std::array{JoinedBody{"left", first}, JoinedBody{"right", second}}, is_one_piece, shapes,
+                             shares);
+  }
+
+  std::vector<Vector3> first, second;
+};
+
+const Field at_rest = [](const Vector3& /*x*/) { return Vector3(0, 0, 0); };
+
+TEST(ModeKinds, OfOnePieceAreThoseOfTheWhole) {
+  std::vector<Vector3> left, right;
+  for (const Vector3& node : bar) {
+    (node.x() < -0.025 ? left : right).push_back(node);
+  }
+  const TwoBodies cut = {left, right};
+  const auto both = [](const Field& field) { return std::array{field, field}; };
+  const std::vector<std::array<Field, 2>> modes = {both(bending(2, 20)), both(bending(1, 20)), both(torsion(10)),
+                                                   both(bending(2, 35))};
+  const std::vector<std::vector<double>> shares(4, {0.05, 0.95});
+  EXPECT_THAT(cut.kinds(true, modes, shares),
+              testing::ElementsAre("bending 1 along z", "bending 1 along y", "torsion 1", "bending 2 along z"));
+}
+
+TEST(ModeKinds, OfBodiesOnSpringsAreThoseOfTheBodyThatHasTheEnergy) {
+  std::vector<Vector3> beside = bar;
+  std::ranges::for_each(beside, [](Vector3& node) { node.y() += 0.05; });
+  const TwoBodies apart = {bar, beside};
+  const std::vector<std::array<Field, 2>> modes = {{bending(2, 20), at_rest},
+                                                   {at_rest, bending(2, 20)},
+                                                   {bending(2, 20), bending(2, 20)},
+                                                   {bending(2, 35), at_rest}};
+  const std::vector<std::vector<double>> shares = {{0.95, 0.05}, {0.05, 0.95}, {0.5, 0.5}, {1.0, 0.0}};
+  EXPECT_THAT(apart.kinds(false, modes, shares),
+              testing::ElementsAre("left: bending 1 along z", "right: bending 1 along z", "bending 1 along z",
+                                   "left: bending 2 along z"));
+}
+
+TEST(ModeKinds, OfOnePieceWithoutASimpleFormAreThoseOfTheBodyThatHasTheEnergy) {
+  std::vector<Vector3> across;
+  for (const Vector3& node : bar) {
+    across.emplace_back(node.y(), node.x(), node.z() + 0.01);
+  }
+  const TwoBodies cross = {bar, across};
+  EXPECT_THAT(
+      cross.kinds(true, {{bending(2, 20), at_rest}, {bending(2, 20), bending(2, 20)}}, {{0.95, 0.05}, {0.5, 0.5}}),
+      testing::ElementsAre("left: bending 1 along z", ""));
+}
+
 }  // namespace
 }  // namespace idiophone::mode_kinds

@@ -16,10 +16,13 @@ namespace {
 void check_counts(const BodyModes& modes) {
   const std::size_t count = modes.frequencies.size();
   if (count == 0 || modes.damping_ratios.size() != count || modes.decay_times.size() != count ||
-      modes.shapes.size() != count || (!modes.mesh_errors.empty() && modes.mesh_errors.size() != count)) {
-    throw std::runtime_error(fmt::format(
-        "modes of body {}: {} frequencies, {} damping ratios, {} decay times, {} errors and {} shapes", modes.body,
-        count, modes.damping_ratios.size(), modes.decay_times.size(), modes.mesh_errors.size(), modes.shapes.size()));
+      modes.shapes.size() != count || modes.kinetic_shares.size() != count || modes.kinds.size() != count ||
+      (!modes.mesh_errors.empty() && modes.mesh_errors.size() != count)) {
+    throw std::runtime_error(
+        fmt::format("modes of body {}: {} frequencies, {} damping ratios, {} decay times, {} "
+                    "errors, {} shares of kinetic energy, {} kinds and {} shapes",
+                    modes.body, count, modes.damping_ratios.size(), modes.decay_times.size(), modes.mesh_errors.size(),
+                    modes.kinetic_shares.size(), modes.kinds.size(), modes.shapes.size()));
   }
 }
 
@@ -69,6 +72,7 @@ void ResultFile::add_modes(const BodyModes& modes) {
   write_numbers("frequency", "Hz", modes.frequencies);
   write_numbers("damping_ratio", "1", modes.damping_ratios);
   write_numbers("decay_time", "s", modes.decay_times);
+  write_numbers("kinetic_share", "1", modes.kinetic_shares);
   if (!modes.mesh_errors.empty()) {
     write_numbers("mesh_error", "cents", modes.mesh_errors);
   }
@@ -76,6 +80,7 @@ void ResultFile::add_modes(const BodyModes& modes) {
     const auto frequency = hdf5::open_dataset(file, path("frequency"));
     hdf5::put(frequency.id(), "mass", modes.mass);
     hdf5::put(frequency.id(), "rigid_motions", modes.rigid_motions);
+    hdf5::put_dataset(file, path("kind"), modes.kinds, communicator);
   });
   write_shapes(file, path("shape"), modes);
   state_->new_pictures = true;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "idiophone/foundation/parallel/reduce.hpp"
@@ -48,22 +49,29 @@ double decay_factor(double damping_ratio) {
   return 1 / (damping_ratio + std::sqrt(damping_ratio * damping_ratio - 1));
 }
 
-/// alpha of a mode, 1/s: the mean of its bodies', each with its share of the moving mass.
-double mass_damping(const scene::Solids& solids, const mesh::Part& part, const motion::Dynamics& dynamics,
-                    std::span<const double> shape, MPI_Comm communicator) {
-  std::array<double, 2> sums = {};  // of all mass, and of each mass times its alpha
-  for (std::size_t b = 0; b < part.bodies.size(); ++b) {
-    const double alpha = solids.materials[solids.bodies[b].material].damping.of_all_motion();
+/// [bodies] of the kinetic energy.
+std::vector<double> kinetic_shares(const mesh::Part& part, const motion::Dynamics& dynamics,
+                                   std::span<const double> shape, MPI_Comm communicator) {
+  std::vector<double> shares(part.bodies.size());
+  for (std::size_t b = 0; b < shares.size(); ++b) {
     const std::span<const double> masses = dynamics.model(b).masses();
     for (std::size_t node = 0; node < masses.size(); ++node) {
-      const Vector3 moved(&shape[3 * (part.bodies[b].owned_begin + node)]);
-      const double moving = masses[node] * moved.squaredNorm();
-      sums[0] += moving;
-      sums[1] += alpha * moving;
+      shares[b] += masses[node] * Vector3(&shape[3 * (part.bodies[b].owned_begin + node)]).squaredNorm();
     }
   }
-  parallel::reduce(sums, MPI_SUM, communicator);
-  return sums[1] / sums[0];
+  parallel::reduce(shares, MPI_SUM, communicator);
+  const double all = std::accumulate(shares.begin(), shares.end(), 0.0);
+  std::ranges::for_each(shares, [&](double& share) { share /= all; });
+  return shares;
+}
+
+/// alpha of a mode, 1/s: the mean of its bodies', each with its share of the kinetic energy.
+double mass_damping(const scene::Solids& solids, std::span<const double> kinetic_shares) {
+  double alpha = 0.0;
+  for (std::size_t b = 0; b < kinetic_shares.size(); ++b) {
+    alpha += kinetic_shares[b] * solids.materials[solids.bodies[b].material].damping.of_all_motion();
+  }
+  return alpha;
 }
 
 /// Sets frequency and damping from those of the lossless bodies, w. With unit modal mass their strain is worth
@@ -106,8 +114,8 @@ void vibrate(Mode& mode, const Eigenpair& pair, double alpha, const Operators& o
 Mode damped_mode(Eigenpair pair, const scene::Solids& solids, const Operators& operators, const mesh::Part& part,
                  MPI_Comm communicator) {
   Mode mode;
-  vibrate(mode, pair, mass_damping(solids, part, operators.dynamics(), pair.vector, communicator), operators, part,
-          communicator);
+  mode.kinetic_shares = kinetic_shares(part, operators.dynamics(), pair.vector, communicator);
+  vibrate(mode, pair, mass_damping(solids, mode.kinetic_shares), operators, part, communicator);
   mode.shape = std::move(pair.vector);
   orient(mode.shape, part, communicator);
   return mode;

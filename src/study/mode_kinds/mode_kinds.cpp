@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "body_form.hpp"
@@ -53,6 +54,32 @@ KindName kind_in(const BodyForm& form, const LocalShape& shape) {
   return {};
 }
 
+/// Names the modes of a body, one after another.
+class Names {
+ public:
+  explicit Names(std::span<const Vector3> nodes) : form_(form_of(nodes)) {
+    local_.places.resize(3, std::ssize(nodes));
+    for (std::size_t n = 0; n < nodes.size(); ++n) {
+      local_.places.col(static_cast<Eigen::Index>(n)) = form_.axes.transpose() * (nodes[n] - form_.centre);
+    }
+  }
+
+  /// The kind of the next mode; empty where it has none.
+  /// @param shape  [3 x nodes]
+  std::string next(std::span<const double> shape) {
+    const Eigen::Map<const Eigen::Matrix3Xd> displacements(shape.data(), 3, local_.places.cols());
+    local_.displacements = form_.axes.transpose() * displacements;
+    const KindName kind = kind_in(form_, local_);
+    const std::string name = kind.name + kind.ending;
+    return kind.is_counted ? fmt::format("{} {}{}", kind.name, ++counts_[name], kind.ending) : name;
+  }
+
+ private:
+  BodyForm form_;
+  LocalShape local_;
+  std::map<std::string, int> counts_;  // of names so far
+};
+
 }  // namespace
 
 int sign_changes(const std::vector<double>& values, double share) {
@@ -72,20 +99,40 @@ int sign_changes(const std::vector<double>& values, double share) {
 }
 
 std::vector<std::string> kinds_of(std::span<const Vector3> nodes, const std::vector<std::vector<double>>& shapes) {
-  const BodyForm form = form_of(nodes);
-  LocalShape local;
-  local.places.resize(3, static_cast<Eigen::Index>(nodes.size()));
-  for (std::size_t n = 0; n < nodes.size(); ++n) {
-    local.places.col(static_cast<Eigen::Index>(n)) = form.axes.transpose() * (nodes[n] - form.centre);
-  }
+  Names names(nodes);
   std::vector<std::string> kinds;
-  std::map<std::string, int> counts;
-  for (const std::vector<double>& shape : shapes) {
-    const Eigen::Map<const Eigen::Matrix3Xd> displacements(shape.data(), 3, local.places.cols());
-    local.displacements = form.axes.transpose() * displacements;
-    const KindName kind = kind_in(form, local);
-    const std::string name = kind.name + kind.ending;
-    kinds.push_back(kind.is_counted ? fmt::format("{} {}{}", kind.name, ++counts[name], kind.ending) : name);
+  std::ranges::transform(shapes, std::back_inserter(kinds), [&](const auto& shape) { return names.next(shape); });
+  return kinds;
+}
+
+std::vector<std::string> kinds_of_assembly(std::span<const JoinedBody> bodies, bool is_one_piece,
+                                           const std::vector<std::vector<double>>& shapes,
+                                           std::span<const std::vector<double>> kinetic_shares) {
+  constexpr double nearly_all = 0.9;
+  std::vector<Vector3> nodes;
+  std::vector<Names> of_bodies;
+  std::vector<std::size_t> begins;
+  for (const JoinedBody& body : bodies) {
+    begins.push_back(3 * nodes.size());
+    nodes.insert(nodes.end(), body.nodes.begin(), body.nodes.end());
+    of_bodies.emplace_back(body.nodes);
+  }
+  Names of_all(nodes);
+  const auto in_one_body = [&](std::size_t mode) -> std::string {
+    const auto most = std::ranges::max_element(kinetic_shares[mode]);
+    if (*most <= nearly_all) {
+      return {};
+    }
+    const std::size_t b = most - kinetic_shares[mode].begin();
+    const std::string kind = of_bodies[b].next(std::span(shapes[mode]).subspan(begins[b], 3 * bodies[b].nodes.size()));
+    return kind.empty() ? kind : fmt::format("{}: {}", bodies[b].name, kind);
+  };
+  std::vector<std::string> kinds;
+  for (std::size_t mode = 0; mode < shapes.size(); ++mode) {
+    std::string& kind = kinds.emplace_back(is_one_piece ? of_all.next(shapes[mode]) : in_one_body(mode));
+    if (kind.empty()) {
+      kind = is_one_piece ? in_one_body(mode) : of_all.next(shapes[mode]);
+    }
   }
   return kinds;
 }

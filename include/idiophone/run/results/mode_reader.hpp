@@ -13,6 +13,7 @@ struct StoredModes {
   std::vector<double> frequencies;          ///< [modes] Hz
   std::vector<double> decay_times;          ///< [modes] T60, s; infinity without damping
   std::vector<double> mesh_errors;          ///< [modes] estimated, cents; NaN where unknown. Empty if unknown for all
+  std::vector<std::string> kinds;           ///< [modes] empty texts where there is none
   std::vector<std::vector<double>> shapes;  ///< [modes][3 x nodes of its mesh] m
 };
 

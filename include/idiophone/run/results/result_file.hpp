@@ -42,6 +42,8 @@ struct BodyModes {
   std::vector<double> damping_ratios;           ///< [modes] zeta
   std::vector<double> decay_times;              ///< [modes] T60, s
   std::vector<double> mesh_errors;              ///< [modes] estimated, cents by which each is too high; may be empty
+  std::vector<double> kinetic_shares;           ///< [modes] of the kinetic energy that this body has
+  std::vector<std::string> kinds;               ///< [modes] in words, of the assembly; empty texts where there is none
   std::vector<std::span<const double>> shapes;  ///< [modes] of [3 x local rows of `nodes`], m at unit modal mass
 };
 

@@ -34,8 +34,9 @@ struct Mode {
   double frequency = 0.0;           ///< without damping, Hz; of a material with a loss factor, with its moduli there
   double lossless_frequency = 0.0;  ///< with the elastic constants of the deck, Hz
   double damping_ratio = 0.0;       ///< zeta, that of critical damping is 1, as material and supports damp it
-  double decay_time = 0.0;    ///< T60, the time in which its sound falls by 60 dB, s; infinity where nothing damps it.
-                              ///< Above critical damping, that of the slower of its two motions
+  double decay_time = 0.0;  ///< T60, the time in which its sound falls by 60 dB, s; infinity where nothing damps it.
+                            ///< Above critical damping, that of the slower of its two motions
+  std::vector<double> kinetic_shares;  ///< [bodies] of the kinetic energy, by the lumped mass; they add up to 1
   std::vector<double> shape;  ///< [3 x owned nodes] of unit modal mass, x^T M x = 1 kg m2, so it is in m; the largest
                               ///< component is positive
 };

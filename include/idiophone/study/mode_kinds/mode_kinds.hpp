@@ -20,4 +20,20 @@ namespace idiophone::mode_kinds {
 [[nodiscard]] std::vector<std::string> kinds_of(std::span<const Vector3> nodes,
                                                 const std::vector<std::vector<double>>& shapes);
 
+/// One of several bodies that joints tie together.
+struct JoinedBody {
+  std::string name;
+  std::span<const Vector3> nodes;  ///< m
+};
+
+/// The kind of each mode of an assembly: by the form of all bodies together, or, of a mode with more than 90 % of the
+/// kinetic energy in one body, by the form of this body: "lid: bending 1 along z".
+/// @param is_one_piece    bodies are glued face to face: the form of all comes first. Else the form of one body does
+/// @param shapes          [modes][3 x nodes of all bodies] of the lowest modes, ascending
+/// @param kinetic_shares  [modes][bodies] of the kinetic energy
+/// @return [modes]; empty where a mode has no such name
+[[nodiscard]] std::vector<std::string> kinds_of_assembly(std::span<const JoinedBody> bodies, bool is_one_piece,
+                                                         const std::vector<std::vector<double>>& shapes,
+                                                         std::span<const std::vector<double>> kinetic_shares);
+
 }  // namespace idiophone::mode_kinds
