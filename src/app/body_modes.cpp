@@ -3,6 +3,7 @@
 #include <spdlog/spdlog.h>
 
 #include <string>
+#include <utility>
 
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
@@ -36,8 +37,9 @@ std::vector<double> estimated_mesh_errors(eigenmodes::Estimates wanted, eigenmod
                                           const PartWatch& watch) {
   std::vector<double> errors;
   parallel::on_root(communicator, [&] {
-    errors = eigenmodes::mesh_errors(solids, meshes, mass, shapes, wanted, watch);
-    const std::string remark = eigenmodes::left_out(errors, shapes.size(), wanted);
+    auto [cents, why_none] = eigenmodes::mesh_errors(solids, meshes, mass, shapes, wanted, watch);
+    errors = std::move(cents);
+    const std::string remark = eigenmodes::left_out(errors, shapes.size(), wanted, why_none);
     if (!remark.empty() && loop::noted_signal() == 0) {
       spdlog::info(remark);
     }

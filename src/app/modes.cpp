@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <spdlog/spdlog.h>
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -79,10 +80,17 @@ void bound(const ModesOptions& options, const scene::Solids& solids, const std::
   known.bounds = take_bounds(known.its, options.count, solids, meshes, communicator);
 }
 
-/// Collective.
+/// With a log where it is not possible. Collective.
 void estimate(const ModesOptions& options, const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
               KnownModes& known, MPI_Comm communicator) {
-  if (options.estimates != eigenmodes::Estimates::none && is_stopped(communicator)) {
+  if (options.estimates == eigenmodes::Estimates::none) {
+    return;
+  }
+  if (const std::string why = eigenmodes::no_estimates(solids); !why.empty()) {
+    parallel::on_root(communicator, [&] { spdlog::info("the error of the mesh is not estimated: {}", why); });
+    return;
+  }
+  if (is_stopped(communicator)) {
     known.left_out.emplace_back(std::string("all ") + estimates_in_words);
     return;
   }
@@ -160,9 +168,7 @@ int modes(const ModesOptions& options) {
   if (options.bounds) {
     bound(options, solids, meshes, known, communicator);
   }
-  if (eigenmodes::can_estimate(solids)) {
-    estimate(options, solids, meshes, known, communicator);
-  }
+  estimate(options, solids, meshes, known, communicator);
   if (!has_joints) {
     add_air(options, meshes, scene.radiation.air, known, communicator);
   }

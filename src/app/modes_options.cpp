@@ -64,10 +64,9 @@ void refuse_with_joints(const ModesOptions& options, const scene::Solids& solids
       throw std::runtime_error(option + " is for a body without joints: leave it out");
     }
   }
-  if (options.estimates == eigenmodes::Estimates::all && !eigenmodes::can_estimate(solids)) {
-    throw std::runtime_error(
-        "--estimate is for bodies whose joints are glue, and whose elements are all tet4, all tet10 or all hexahedra: "
-        "leave it out");
+  if (const std::string why = eigenmodes::no_estimates(solids);
+      options.estimates == eigenmodes::Estimates::all && !why.empty()) {
+    throw std::runtime_error(fmt::format("--estimate is not possible: {}. Or leave it out", why));
   }
 }
 

@@ -95,7 +95,8 @@ SoundMap map_of(const scene::Scene& scene, SolvedSolid solved, eigenmodes::Estim
   }
   if (is_alone) {
     map.mesh_error = eigenmodes::mesh_errors(solids, solved.meshes, solved.options.mass,
-                                             shapes_of(std::move(solved.found.modes)), estimates);
+                                             shapes_of(std::move(solved.found.modes)), estimates)
+                         .cents;
   }
   return map;
 }

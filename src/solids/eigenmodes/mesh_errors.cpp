@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/foundation/element/type.hpp"
+#include "idiophone/solids/joints/held_parts.hpp"
 #include "idiophone/solids/solid/inverted_element.hpp"
 #include "refined_problem.hpp"
 #include "refined_values.hpp"
@@ -37,10 +40,25 @@ double extrapolated(element::Type type, double lost, double gained) {
   element::unknown_kind();
 }
 
-/// How many modes a quick estimate may have.
-std::size_t quick_modes(const std::vector<mesh::Mesh>& meshes) {
-  constexpr double most_entries = 4e8;  // about 2e-8 s for each entry of the matrix and each mode
+/// About how many entries springs, hinges and shanks have in the stiffness matrix of the refined meshes.
+double refined_entries_of_joints(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes) {
+  const joints::HeldParts held = joints::held_parts(solids, meshes);
   double entries = 0.0;
+  for (std::size_t j = 0; j < held.size(); ++j) {
+    double components = 0.0;
+    for (const std::size_t side : {0, 1}) {
+      const mesh::Mesh& mesh = meshes[solids.joints[j].surfaces.at(side).body];
+      components += 3 * mesh::refined_nodes(mesh.element) * static_cast<double>(held[j].at(side).nodes(mesh).size());
+    }
+    entries += components * components;
+  }
+  return entries;
+}
+
+/// How many modes a quick estimate may have.
+std::size_t quick_modes(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes) {
+  constexpr double most_entries = 4e8;  // about 2e-8 s for each entry of the matrix and each mode
+  double entries = refined_entries_of_joints(solids, meshes);
   for (const mesh::Mesh& mesh : meshes) {
     entries += mesh::refined_entries(mesh);
   }
@@ -65,40 +83,50 @@ std::vector<double> mesh_errors(const scene::Solids& solids, const std::vector<m
   return errors;
 }
 
-std::vector<double> mesh_errors(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes, MassMatrix mass,
-                                std::span<const std::vector<double>> shapes, Estimates wanted, const PartWatch& watch) {
+MeshErrors mesh_errors(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes, MassMatrix mass,
+                       std::span<const std::vector<double>> shapes, Estimates wanted, const PartWatch& watch) {
   if (wanted == Estimates::none) {
     return {};
   }
-  const std::size_t count = wanted == Estimates::all ? shapes.size() : std::min(shapes.size(), quick_modes(meshes));
+  const std::size_t count =
+      wanted == Estimates::all ? shapes.size() : std::min(shapes.size(), quick_modes(solids, meshes));
   constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  std::vector<double> none(shapes.size(), unknown);
   try {
     std::vector<double> errors = mesh_errors(solids, meshes, mass, shapes.first(count), watch);
     if (!errors.empty()) {
       errors.resize(shapes.size(), unknown);
     }
-    return errors;
+    return {std::move(errors), {}};
   } catch (const solid::InvertedElement&) {
-    return none;
-  } catch (const deck::DeckError&) {  // of the refined bodies: an estimate must not cost the modes
-    return none;
+    return {std::vector<double>(shapes.size(), unknown),
+            "a strongly curved element turns inside out where it is divided. A finer mesh avoids that"};
+  } catch (const deck::DeckError& error) {  // of the refined bodies: an estimate must not cost the modes
+    return {std::vector<double>(shapes.size(), unknown), fmt::format("on the refined elements, {}", error.what())};
   }
 }
 
-bool can_estimate(const scene::Solids& solids) {
-  const auto is_glue = [](const scene::Joint& joint) { return joint.type == scene::JointType::glue; };
-  const auto has_elements_of_first = [&](const scene::Body& body) {
-    return element::name(body.element) == element::name(solids.bodies.front().element);
-  };
-  return std::ranges::all_of(solids.joints, is_glue) && std::ranges::all_of(solids.bodies, has_elements_of_first);
+std::string no_estimates(const scene::Solids& solids) {
+  for (const scene::Joint& joint : solids.joints) {
+    if (joint.type == scene::JointType::bolt && !joint.shank) {
+      return fmt::format(
+          "joints.{} is a bolt without a shank, whose washer covers another area of finer elements: "
+          "compare with the modes of a finer mesh, or glue a surface as large as the washer",
+          joint.name);
+    }
+  }
+  const scene::Body& first = solids.bodies.front();
+  for (const scene::Body& body : solids.bodies) {
+    if (element::name(body.element) != element::name(first.element)) {
+      return fmt::format("the elements of '{}' are {}, and those of '{}' {}: give all bodies elements of one kind",
+                         first.name, element::name(first.element), body.name, element::name(body.element));
+    }
+  }
+  return {};
 }
 
-std::string left_out(std::span<const double> errors, std::size_t modes, Estimates wanted) {
+std::string left_out(std::span<const double> errors, std::size_t modes, Estimates wanted, const std::string& why_none) {
   if (!errors.empty() && std::ranges::all_of(errors, [](double error) { return std::isnan(error); })) {
-    return "the error of the mesh is not estimated: a strongly curved element turns inside out where it is divided, or "
-           "on the divided elements the joined surfaces do not meet, or the bodies find no rest under their prestress. "
-           "A finer mesh avoids that";
+    return "the error of the mesh is not estimated: " + why_none;
   }
   const auto estimated = std::ranges::count_if(errors, [](double error) { return !std::isnan(error); });
   if (wanted != Estimates::quick || estimated == static_cast<std::ptrdiff_t>(modes)) {

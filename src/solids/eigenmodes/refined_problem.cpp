@@ -4,6 +4,7 @@
 #include <iterator>
 
 #include "idiophone/foundation/parallel/petsc.hpp"
+#include "idiophone/solids/joints/refined_joints.hpp"
 #include "rigid_motions.hpp"
 #include "shifted_matrix.hpp"
 
@@ -27,14 +28,14 @@ scene::Assembly assembly_on(const scene::Solids& solids, std::span<const mesh::M
   return assembly;
 }
 
-/// @param joints  as MeshedBodies has them
-motion::Attachments attached(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
-                             std::span<const joints::MeshedJoint> joints) {
-  motion::Attachments attachments = motion::attach(solids, meshes);
-  for (std::size_t j = 0; j < joints.size(); ++j) {
-    attachments.joints[j].normal = joints[j].normal;
-    attachments.joints[j].tangential = joints[j].tangential;
-  }
+/// @param solids  on the refined meshes
+motion::Attachments attached(const scene::Solids& solids, const MeshedBodies& given,
+                             const std::vector<mesh::Mesh>& meshes, const std::vector<mesh::RefinedMesh>& refined,
+                             const std::vector<mesh::Mesh>& of_refined) {
+  const joints::HeldParts held = joints::held_parts(given.solids, meshes);
+  motion::Attachments attachments =
+      motion::attach(solids, of_refined, joints::refined(held, given.solids, meshes, refined));
+  joints::act_as(given.attachments.joints, solids, meshes, refined, attachments.joints);
   return attachments;
 }
 
@@ -75,12 +76,24 @@ void set_sweep(KSP smoother, MatSORType direction) {
 
 }  // namespace
 
-MeshedBodies::MeshedBodies(const scene::Solids& all, const std::vector<mesh::Mesh>& meshes, MassMatrix mass,
-                           std::span<const joints::MeshedJoint> joints)
-    : assembly(assembly_on(all, meshes, joints)),
+MeshedBodies::MeshedBodies(const scene::Solids& all, const std::vector<mesh::Mesh>& meshes, MassMatrix mass)
+    : assembly(assembly_on(all, meshes, {})),
       solids(assembly.solids()),
       part(mesh::distribute(meshes, MPI_COMM_SELF)),
-      attachments(attached(solids, meshes, joints)),
+      attachments(motion::attach(solids, meshes)),
+      operators(solids, part, attachments, mass, MPI_COMM_SELF) {}
+
+MeshedBodies::MeshedBodies(const MeshedBodies& given, const std::vector<mesh::Mesh>& meshes,
+                           const std::vector<mesh::RefinedMesh>& refined, MassMatrix mass)
+    : MeshedBodies(given, meshes, refined, meshes_of(refined), mass) {}
+
+MeshedBodies::MeshedBodies(const MeshedBodies& given, const std::vector<mesh::Mesh>& meshes,
+                           const std::vector<mesh::RefinedMesh>& refined, const std::vector<mesh::Mesh>& of_refined,
+                           MassMatrix mass)
+    : assembly(assembly_on(given.solids, of_refined, given.attachments.joints)),
+      solids(assembly.solids()),
+      part(mesh::distribute(of_refined, MPI_COMM_SELF)),
+      attachments(attached(solids, given, meshes, refined, of_refined)),
       operators(solids, part, attachments, mass, MPI_COMM_SELF) {}
 
 RefinedProblem::RefinedProblem(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes, MassMatrix mass,
@@ -90,8 +103,7 @@ RefinedProblem::RefinedProblem(const scene::Solids& solids, const std::vector<me
 RefinedProblem::RefinedProblem(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
                                const std::vector<mesh::RefinedMesh>& refined, MassMatrix mass,
                                std::span<const double> lowest)
-    : given_(solids, meshes, mass),
-      refined_(solids, meshes_of(refined), refined_mass(meshes.front().element, mass), given_.attachments.joints) {
+    : given_(solids, meshes, mass), refined_(given_, meshes, refined, refined_mass(meshes.front().element, mass)) {
   connect(refined);
   set_up_cycle(given_value(lowest));
 }

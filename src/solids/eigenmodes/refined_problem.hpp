@@ -15,11 +15,13 @@ namespace idiophone::eigenmodes {
 
 /// Operators of a body, or of bodies that joints tie together, on some meshes, with all that they refer to.
 struct MeshedBodies {
-  /// @param joints  of the given meshes, whose stiffness and reach these joints get: those that the deck leaves open
-  ///                depend on the width of the faces. Empty: their own
   /// @throws deck::DeckError as motion::attach()
-  MeshedBodies(const scene::Solids& all, const std::vector<mesh::Mesh>& meshes, MassMatrix mass,
-               std::span<const joints::MeshedJoint> joints = {});
+  MeshedBodies(const scene::Solids& all, const std::vector<mesh::Mesh>& meshes, MassMatrix mass);
+  /// On refined meshes, whose joints hold the same parts of the bodies, and have the stiffness and the reach of the
+  /// given ones: those that the deck leaves open depend on the width of the faces.
+  /// @throws deck::DeckError as motion::attach() and joints::refined()
+  MeshedBodies(const MeshedBodies& given, const std::vector<mesh::Mesh>& meshes,
+               const std::vector<mesh::RefinedMesh>& refined, MassMatrix mass);
   MeshedBodies(const MeshedBodies&) = delete;
   MeshedBodies& operator=(const MeshedBodies&) = delete;
   MeshedBodies(MeshedBodies&&) = delete;
@@ -31,14 +33,19 @@ struct MeshedBodies {
   mesh::Part part;
   motion::Attachments attachments;
   Operators operators;
+
+ private:
+  MeshedBodies(const MeshedBodies& given, const std::vector<mesh::Mesh>& meshes,
+               const std::vector<mesh::RefinedMesh>& refined, const std::vector<mesh::Mesh>& of_refined,
+               MassMatrix mass);
 };
 
 class RefinedProblem {
  public:
-  /// @param solids  of one body, or of bodies that joints tie together, and these joints are glue
+  /// @param solids  of one body, or of bodies that joints tie together, and none of these is a bolt without a shank
   /// @param meshes  of the bodies, all of elements of one kind
   /// @param lowest  shape of the lowest mode, [3 x nodes of all bodies]
-  /// @throws deck::DeckError as motion::attach(), std::runtime_error where PETSc can't
+  /// @throws deck::DeckError as motion::attach() and joints::refined(), std::runtime_error where PETSc can't
   RefinedProblem(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes, MassMatrix mass,
                  std::span<const double> lowest);
 

@@ -5,23 +5,14 @@
 #include <cmath>
 #include <numeric>
 
-#include "idiophone/foundation/each_once.hpp"
 #include "idiophone/foundation/element/reference.hpp"
 #include "surface_face.hpp"
 
 namespace idiophone::joints {
 
-Anchor::Anchor(const mesh::Mesh& mesh, const std::vector<mesh::ElementFace>& faces, Index first_node) {
-  std::vector<Index> elements;
-  std::ranges::transform(faces, std::back_inserter(elements), &mesh::ElementFace::element);
-  keep_each_once(elements);
-  for (const Index element : elements) {
-    const auto of_element = mesh.element_nodes(element);
-    nodes_.insert(nodes_.end(), of_element.begin(), of_element.end());
-  }
-  keep_each_once(nodes_);
-  add_faces(mesh, faces);
-  add_elements(mesh, elements);
+Anchor::Anchor(const mesh::Mesh& mesh, const HeldPart& held, Index first_node) : nodes_(held.nodes(mesh)) {
+  add_faces(mesh, held.faces);
+  add_elements(mesh, held.elements);
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     centre_ += parts_[n] * mesh.nodes[nodes_[n]];
   }

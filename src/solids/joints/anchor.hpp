@@ -4,18 +4,17 @@
 // a moment. Theory: docs/method/joints.md.
 
 #include <Eigen/Core>
-#include <string>
 #include <vector>
 
-#include "idiophone/solids/mesh/faces.hpp"
+#include "idiophone/solids/joints/held_parts.hpp"
 
 namespace idiophone::joints {
 
 class Anchor {
  public:
-  /// The elements behind some faces, of which there is at least one.
+  /// @param held        at least one face, and the elements behind it
   /// @param first_node  global number of the first node of the mesh
-  Anchor(const mesh::Mesh& mesh, const std::vector<mesh::ElementFace>& faces, Index first_node);
+  Anchor(const mesh::Mesh& mesh, const HeldPart& held, Index first_node);
 
   /// Ascending global numbers.
   [[nodiscard]] const std::vector<Index>& nodes() const { return nodes_; }

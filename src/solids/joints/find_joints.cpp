@@ -119,6 +119,11 @@ MeshedJoint mesh_layer(const scene::Joint& joint, const scene::Solids& solids, F
 }  // namespace
 
 std::vector<MeshedJoint> find_joints(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes) {
+  return find_joints(solids, meshes, held_parts(solids, meshes));
+}
+
+std::vector<MeshedJoint> find_joints(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
+                                     const HeldParts& held) {
   if (solids.joints.empty()) {
     return {};
   }
@@ -134,7 +139,7 @@ std::vector<MeshedJoint> find_joints(const scene::Solids& solids, const std::vec
       joints.push_back(mesh_layer(joint, solids, faces(0), faces(1)));
       joints.back().joint = number;
     } else {
-      std::ranges::move(mesh_link(joint, number, softest_modulus(joint, solids), meshes, first_node),
+      std::ranges::move(mesh_link(joint, number, softest_modulus(joint, solids), meshes, first_node, held[number]),
                         std::back_inserter(joints));
     }
   }

@@ -10,6 +10,7 @@
 #include "facing_surface.hpp"
 #include "idiophone/foundation/bounding_box.hpp"
 #include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/foundation/each_once.hpp"
 
 namespace idiophone::joints {
 
@@ -67,35 +68,30 @@ std::vector<mesh::ElementFace> faces_under_washer(const scene::PatchPlace& washe
   return within(std::max(washer.radius, nearest), washer.at, middles, faces);
 }
 
-/// What to do where a joint holds too many nodes.
-std::string remedy(const scene::Joint& joint) {
-  if (joint.shank) {
-    return "use larger elements, or a smaller radius of the washers";
-  }
-  return joint.type == scene::JointType::spring ? "name a smaller surface, or give at and radius"
-                                                : "name a smaller surface";
-}
-
-}  // namespace
-
-Anchor held_part(const scene::Joint& joint, const scene::JoinedSurface& surface, const Vector3& end,
-                 const mesh::Mesh& mesh, Index first_node) {
+/// What a joint holds at one of its surfaces.
+/// @param end  of the axis of a bolt there; not used otherwise
+HeldPart held_part(const scene::Joint& joint, const scene::JoinedSurface& surface, const Vector3& end,
+                   const mesh::Mesh& mesh) {
   std::vector<mesh::ElementFace> faces = element_faces_of(surface, joint.name, mesh);
   if (joint.place) {
     faces = faces_around(*joint.place, mesh, faces);
   } else if (joint.shank) {
     faces = faces_under_washer({.at = end, .radius = joint.shank->washer, .where = {}}, mesh, faces);
   }
-  Anchor anchor(mesh, faces, first_node);
-  if (anchor.nodes().size() > most_nodes) {
+  HeldPart part{.faces = faces, .elements = {}};
+  std::ranges::transform(faces, std::back_inserter(part.elements), &mesh::ElementFace::element);
+  keep_each_once(part.elements);
+  if (const std::size_t nodes = part.nodes(mesh).size(); nodes > most_nodes) {
     throw deck::DeckError(surface.where,
                           fmt::format("joints.{}: the elements at '{}' have {} nodes, and springs, hinges and bolts "
                                       "hold at most {}: {}",
-                                      joint.name, surface.group, anchor.nodes().size(), most_nodes, remedy(joint)));
+                                      joint.name, surface.group, nodes, most_nodes, remedy(joint)));
   }
-  return anchor;
+  return part;
 }
 
+/// A spring may be long: its place need not be near both surfaces.
+/// @throws deck::DeckError where it is far from both
 void require_place_near(const scene::Joint& joint, const std::vector<mesh::Mesh>& meshes) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const scene::JoinedSurface& surface : joint.surfaces) {
@@ -115,18 +111,7 @@ void require_place_near(const scene::Joint& joint, const std::vector<mesh::Mesh>
                   joint.name, at.x(), at.y(), at.z(), nearest, joint.surfaces[0].group, joint.surfaces[1].group));
 }
 
-void require_hinge_near(const scene::Joint& joint, const scene::JoinedSurface& surface, const Vector3& end,
-                        const Anchor& anchor) {
-  const double distance = (end - anchor.centre()).norm();
-  if (distance > farthest_axis * anchor.radius()) {
-    throw deck::DeckError(surface.where,
-                          fmt::format("joints.{}: the end [{:.6g}, {:.6g}, {:.6g}] of the axis is {:.3g} m from the "
-                                      "middle of '{}', which reaches {:.3g} m: let the axis end there, or name a "
-                                      "larger surface",
-                                      joint.name, end.x(), end.y(), end.z(), distance, surface.group, anchor.radius()));
-  }
-}
-
+/// @throws deck::DeckError where the end of a bolt's axis is farther from the surface than its washer is wide
 void require_washer_on(const scene::Joint& joint, const scene::JoinedSurface& surface, const Vector3& end,
                        const mesh::Mesh& mesh) {
   const double distance = distance_to(faces_of(surface, joint.name, mesh, 0), end);
@@ -136,6 +121,40 @@ void require_washer_on(const scene::Joint& joint, const scene::JoinedSurface& su
                                       "more than the radius of the washer: let the axis end on this surface; its first "
                                       "end belongs to the first surface",
                                       joint.name, end.x(), end.y(), end.z(), distance, surface.group));
+  }
+}
+
+}  // namespace
+
+std::string remedy(const scene::Joint& joint) {
+  if (joint.shank) {
+    return "use larger elements, or a smaller radius of the washers";
+  }
+  return joint.type == scene::JointType::spring ? "name a smaller surface, or give at and radius"
+                                                : "name a smaller surface";
+}
+
+std::array<HeldPart, 2> held_by(const scene::Joint& joint, const std::vector<mesh::Mesh>& meshes) {
+  const auto& [first, second] = joint.surfaces;
+  if (joint.place) {
+    require_place_near(joint, meshes);
+  } else if (joint.shank) {
+    require_washer_on(joint, first, joint.axis.begin, meshes[first.body]);
+    require_washer_on(joint, second, joint.axis.end, meshes[second.body]);
+  }
+  return {held_part(joint, first, joint.axis.begin, meshes[first.body]),
+          held_part(joint, second, joint.axis.end, meshes[second.body])};
+}
+
+void require_hinge_near(const scene::Joint& joint, const scene::JoinedSurface& surface, const Vector3& end,
+                        const Anchor& anchor) {
+  const double distance = (end - anchor.centre()).norm();
+  if (distance > farthest_axis * anchor.radius()) {
+    throw deck::DeckError(surface.where,
+                          fmt::format("joints.{}: the end [{:.6g}, {:.6g}, {:.6g}] of the axis is {:.3g} m from the "
+                                      "middle of '{}', which reaches {:.3g} m: let the axis end there, or name a "
+                                      "larger surface",
+                                      joint.name, end.x(), end.y(), end.z(), distance, surface.group, anchor.radius()));
   }
 }
 

@@ -115,18 +115,13 @@ void require_two_parts(const scene::Joint& joint, const Anchors& anchors) {
 }  // namespace
 
 std::vector<MeshedJoint> mesh_link(const scene::Joint& joint, std::size_t number, double modulus,
-                                   const std::vector<mesh::Mesh>& meshes, const std::vector<Index>& first_node) {
-  const auto part_at = [&](const scene::JoinedSurface& surface, const Vector3& end) {
-    return held_part(joint, surface, end, meshes[surface.body], first_node[surface.body]);
+                                   const std::vector<mesh::Mesh>& meshes, const std::vector<Index>& first_node,
+                                   const std::array<HeldPart, 2>& held) {
+  const auto anchor_at = [&](std::size_t side) {
+    const std::size_t body = joint.surfaces[side].body;
+    return Anchor(meshes[body], held[side], first_node[body]);
   };
-  const auto& [first, second] = joint.surfaces;
-  if (joint.place) {
-    require_place_near(joint, meshes);
-  } else if (joint.shank) {
-    require_washer_on(joint, first, joint.axis.begin, meshes[first.body]);
-    require_washer_on(joint, second, joint.axis.end, meshes[second.body]);
-  }
-  const Anchor one = part_at(first, joint.axis.begin), other = part_at(second, joint.axis.end);
+  const Anchor one = anchor_at(0), other = anchor_at(1);
   if (!joint.shank) {
     return mesh_spring_or_hinge(joint, number, modulus, {one, other});
   }

@@ -168,4 +168,10 @@ double refined_entries(const Mesh& mesh) {
          components;
 }
 
+double refined_nodes(element::Type type) {
+  const Refinement refinement = refinement_of(type);
+  const auto nodes = [](element::Type of) { return static_cast<double>(element::reference(of).nodes.size()); };
+  return static_cast<double>(refinement.children.size()) * nodes(refinement.type) / nodes(type);
+}
+
 }  // namespace idiophone::mesh

@@ -103,6 +103,10 @@ Attachments empty_for(const scene::Solids& solids) {
 }  // namespace
 
 Attachments attach(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes) {
+  return attach(solids, meshes, joints::held_parts(solids, meshes));
+}
+
+Attachments attach(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes, const joints::HeldParts& held) {
   Attachments attachments;
   const std::vector<Index> offset = mesh::offsets(meshes).nodes;
   for (const auto& pulse : solids.pulses) {
@@ -125,7 +129,7 @@ Attachments attach(const scene::Solids& solids, const std::vector<mesh::Mesh>& m
       points.push_back(shifted(mesh::find_patch(meshes[body], place), offset[body]));
     }
   }
-  attachments.joints = joints::find_joints(solids, meshes);
+  attachments.joints = joints::find_joints(solids, meshes, held);
   for (std::size_t b = 0; b < solids.bodies.size(); ++b) {
     auto& of_body = attachments.bodies.emplace_back();
     for (const auto& fixed : solids.bodies[b].fixed) {

@@ -33,7 +33,8 @@ std::optional<PitchEstimate> pitch_estimate(const scene::Scene& scene, std::size
     shapes.push_back(std::move(mode.shape));
   }
   using eigenmodes::Estimates;
-  result.mesh_errors = eigenmodes::mesh_errors(alone, {mesh}, eigenmodes::MassMatrix::lumped, shapes, Estimates::all);
+  result.mesh_errors =
+      eigenmodes::mesh_errors(alone, {mesh}, eigenmodes::MassMatrix::lumped, shapes, Estimates::all).cents;
   if (std::ranges::any_of(result.mesh_errors, [](double error) { return std::isnan(error); })) {
     return {};  // a curved element can't be divided
   }

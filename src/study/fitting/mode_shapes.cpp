@@ -72,7 +72,7 @@ std::vector<double> mesh_errors_of(const scene::Solids& solids, const eigenmodes
     shapes.push_back(std::move(mode.shape));
   }
   std::vector<double> errors =
-      eigenmodes::mesh_errors(solids, {mesh}, options.mass, shapes, eigenmodes::Estimates::quick);
+      eigenmodes::mesh_errors(solids, {mesh}, options.mass, shapes, eigenmodes::Estimates::quick).cents;
   errors.resize(shapes.size(), std::numeric_limits<double>::quiet_NaN());
   return errors;
 }

@@ -200,7 +200,7 @@ std::vector<double> StrainedBody::mesh_errors(const FrequencyModel& model) const
     shapes.emplace_back(field.begin(), field.end());
   }
   std::vector<double> estimates =
-      eigenmodes::mesh_errors(alone(), {mesh_}, mass_, shapes, eigenmodes::Estimates::quick);
+      eigenmodes::mesh_errors(alone(), {mesh_}, mass_, shapes, eigenmodes::Estimates::quick).cents;
   estimates.resize(shapes.size(), std::numeric_limits<double>::quiet_NaN());
   const accuracy::Cells cells = accuracy::cells_of(statistics_, body_.element);
   const accuracy::Extents extents = accuracy::extents(statistics_);

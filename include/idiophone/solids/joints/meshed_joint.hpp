@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "idiophone/scene/solids.hpp"
+#include "idiophone/solids/joints/held_parts.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
 
 namespace idiophone::joints {
@@ -59,6 +60,9 @@ struct MeshedJoint {
 ///         hinge would hold too many nodes of it or lies too far from it; pointing at the joint, when no part of the
 ///         two surfaces is within its reach
 [[nodiscard]] std::vector<MeshedJoint> find_joints(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes);
+/// The same where springs, hinges and shanks hold parts that are known, such as refined ones.
+[[nodiscard]] std::vector<MeshedJoint> find_joints(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
+                                                   const HeldParts& held);
 
 /// Rank 0's joints, on every rank. Collective.
 [[nodiscard]] std::vector<MeshedJoint> broadcast(std::vector<MeshedJoint> joints, MPI_Comm communicator);

@@ -26,4 +26,7 @@ struct RefinedMesh {
 /// About how many entries the stiffness matrix of refined() has: those of all its elements.
 [[nodiscard]] double refined_entries(const Mesh& mesh);
 
+/// At most how many times as many nodes refined() elements have.
+[[nodiscard]] double refined_nodes(element::Type type);
+
 }  // namespace idiophone::mesh

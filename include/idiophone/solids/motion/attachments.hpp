@@ -37,6 +37,9 @@ struct Attachments {
 /// @throws deck::DeckError for a group that the mesh lacks, a point off the body, a hinge that is not straight, or a
 ///         joint that joins nothing
 [[nodiscard]] Attachments attach(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes);
+/// The same where springs, hinges and shanks hold parts of the meshes that are known, such as refined ones.
+[[nodiscard]] Attachments attach(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
+                                 const joints::HeldParts& held);
 
 /// Rank 0's attachments, on every rank. Collective.
 [[nodiscard]] Attachments broadcast(Attachments attachments, const scene::Solids& solids, MPI_Comm communicator);
