@@ -24,6 +24,11 @@ STIFF = ("--set", "materials.rubber={young: 2.0e11, poisson: 0.3, density: 7850}
 STUD = ("stud: {type: bolt, between: [left.clamp, right.tip], axis: [[0, 0, 0], [0.1205, 0, 0]], radius: 0.02, shank: 0.003, "
         "material: wire, preload: 30}")
 MODAL = tuple(argument for body in ("left", "right") for argument in ("--set", f"bodies.{body}.model={{type: modal, count: 6}}"))
+AT_REST = ("--set", "bodies.left.spin=[0, 0, 0]", "--set", "bodies.right.velocity=[0, 0, 0]",
+           "--set", "materials.rubber.expansion=1e-4", "--set", "bodies.left.fixed=[clamp]",
+           "--set", "bodies.right.fixed=[tip]", "--set", "bodies.right.prestress={temperature: -100}",
+           "--set", "time.duration=0.0025")
+LOOSE = AT_REST[:8] + AT_REST[10:]  # nothing but glue holds the body on the right
 PAD = "pad: {between: [left.tip, right.clamp], stiffness: {normal: 1.0e9, tangential: 1.0e9}}"
 SCORE = """
 duration: 0.1
@@ -165,10 +170,7 @@ class Joints(program.TestCase):
         self.assertEqual(len(self.said_of_bolts(f"{PAD}, {STUD}", 0.06)), 2)  # 0.87 and 0.68
 
     def test_bodies_that_pull_at_each_other_or_are_plucked_start_in_equilibrium(self):
-        at_rest = ("--set", "bodies.left.spin=[0, 0, 0]", "--set", "bodies.right.velocity=[0, 0, 0]",
-                   "--set", "materials.rubber.expansion=1e-4", "--set", "bodies.left.fixed=[clamp]",
-                   "--set", "bodies.right.fixed=[tip]", "--set", "bodies.right.prestress={temperature: -100}",
-                   "--set", "time.duration=0.0025")
+        at_rest = AT_REST
         self.job = program.run("joined", self.output, *at_rest)
         self.require_status(self.job, program.FINISHED)
         alone = program.contents(self.output / "joined.h5")
@@ -182,12 +184,36 @@ class Joints(program.TestCase):
         plucked = program.contents(self.output / "joined.h5")["energy"]
         total = plucked[:, :4].sum(axis=1) + plucked[:, 5]
         self.assertGreater(plucked[:, 0].max(), 0.1 * (total[0] - energy[0, [1, 5]].sum()))
-        loose = at_rest[:8] + at_rest[10:]  # nothing holds the body on the right by itself
-        for body, what, cause in ("left", at_rest, "the prestress of body 'right'"), (
-                "right", loose, "the prestress of body 'right'"), ("left", at_rest[:8] + pluck, "pluck 'finger'"):
-            job = program.run("joined", self.output, *what, "--set", f"bodies.{body}.model={{type: modal, count: 3}}")
-            self.require_status(job, program.WRONG_DECK)
-            self.assertIn(f"{cause} deforms bodies that joints tie together, and '{body}' is modal", job.stderr)
+
+    def test_modal_bodies_that_pull_at_each_other_rest(self):
+        left, right = (("--set", f"bodies.{body}.model={{type: modal, count: 6}}") for body in ("left", "right"))
+        for number, what in enumerate([AT_REST + left, AT_REST + right, AT_REST + left + right, LOOSE + right]):
+            self.job = program.run("joined", self.output / str(number), *what)
+            self.require_status(self.job, program.FINISHED)
+            energy = program.contents(self.output / str(number) / "joined.h5")["energy"]
+            self.assertGreater(energy[0, 5], 1e-6)
+            self.assertLess(energy[:, 0].max(), 1e-12 * energy[0, 5], what)
+        for number, what, ranks in (0, AT_REST + left, 3), (2, AT_REST + left + right, 2):
+            self.require_status(program.run("joined", self.output / "ranks", *what, ranks=ranks), program.FINISHED)
+            self.require_same(self.output / "ranks" / "joined.h5", program.contents(self.output / str(number) / "joined.h5"))
+            (self.output / "ranks" / "joined.h5").unlink()
+
+    def test_modal_bodies_that_pull_at_each_other_are_plucked_as_finite_elements_are(self):
+        pluck = ("--set", "loads={finger: {type: pluck, body: left, at: [0.05, 0, 0.01], force: [0, 0, -1]}}",
+                 "--set", "materials.rubber.damping=null")
+        for held in AT_REST, LOOSE:
+            ways = []
+            for models in (), MODAL:
+                with tempfile.TemporaryDirectory() as folder:
+                    self.job = program.run("joined", folder, *held, *pluck, *models)
+                    self.require_status(self.job, program.FINISHED)
+                    result = program.contents(f"{folder}/joined.h5")
+                ways.append(result["motion/right/centre_of_mass"][:, 2])
+                energy = result["energy"]
+                total = energy[:, :4].sum(axis=1) + energy[:, 5]
+                self.assertLess(abs(total - total[0]).max(), 0.02 * energy[:, 0].max())
+            expected, found = ways
+            self.assertLess(abs(found - expected).max(), 0.005 * abs(expected - expected[0]).max())
 
     def test_bodies_without_rest_are_refused_where_the_cause_is(self):
         pluck = ("--set", "loads={finger: {type: pluck, body: left, at: [0.05, 0, 0.01], force: [0, 0, -1]}}", "--set", "joints={}",

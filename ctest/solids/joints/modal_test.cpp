@@ -51,6 +51,19 @@ Assembly bolted_bar() {
   return bar;
 }
 
+/// Two strips of steel end to end, held at their outer ends; the second one is 100 K colder and pulls at the first one.
+Assembly taut_strips(std::optional<scene::JointStiffness> stiffness) {
+  Assembly strips;
+  strips.scene.materials[0].expansion = 1.2e-5;
+  strips.add(support::block_mesh(element::hex(4, 2), {0.12, 0.01, 0.001}, {4, 1, 1}), Vector3::Zero());
+  strips.add(support::block_mesh(element::hex(4, 2), {0.16, 0.01, 0.001}, {5, 2, 1}), {0.12, 0, 0});
+  strips.join("x1", "x0", stiffness);
+  strips.scene.bodies[0].fixed.push_back({.group = "x0", .axes = {true, true, true}, .hinge = false, .where = {}});
+  strips.scene.bodies[1].fixed.push_back({.group = "x1", .axes = {true, true, true}, .hinge = false, .where = {}});
+  strips.scene.bodies[1].prestress.emplace().temperature = -100;
+  return strips;
+}
+
 scene::ModalModel lowest(int count) {
   return {.up_to = {}, .count = count, .where = {"deck.yaml", 3, 5}};
 }
@@ -69,10 +82,18 @@ modal_bodies::ModalBases bases_of(const Assembly& assembly, bool joined = true) 
   return bases;
 }
 
-/// What the coordinates of a free body do at its nodes, kg^-1/2: six rigid motions of unit mass, then the modes.
-/// [3 x nodes, 6 + modes]
+Eigen::Index rigid_motions_of(const modal_bodies::ModalBasis& basis) {
+  return basis.is_free ? 6 : 0;
+}
+
+/// What the coordinates of a body do at its nodes, kg^-1/2: six rigid motions of unit mass where it is free, then the
+/// modes. [3 x nodes, 6 + modes]
 Eigen::MatrixXd all_shapes(const modal_bodies::ModalBasis& basis, const mesh::Mesh& mesh) {
   const auto rows = static_cast<Eigen::Index>(3 * basis.nodes());
+  const auto modes = Eigen::MatrixXd::Map(basis.shapes.data(), rows, static_cast<Eigen::Index>(basis.modes()));
+  if (!basis.is_free) {
+    return modes;
+  }
   Eigen::MatrixXd rigid(rows, 6);
   Eigen::VectorXd masses(rows);
   for (std::size_t node = 0; node < basis.nodes(); ++node) {
@@ -85,8 +106,7 @@ Eigen::MatrixXd all_shapes(const modal_bodies::ModalBasis& basis, const mesh::Me
   }
   const Eigen::MatrixXd gram = rigid.transpose() * masses.asDiagonal() * rigid;
   Eigen::MatrixXd shapes(rows, 6 + static_cast<Eigen::Index>(basis.modes()));
-  shapes << rigid * dense::inverse_root(gram),
-      Eigen::MatrixXd::Map(basis.shapes.data(), rows, static_cast<Eigen::Index>(basis.modes()));
+  shapes << rigid * dense::inverse_root(gram), modes;
   return shapes;
 }
 
@@ -102,17 +122,27 @@ ReducedAssembly reduced(const Assembly& assembly, const modal_bodies::ModalBases
   const mesh::Part part = mesh::distribute(assembly.meshes, MPI_COMM_SELF);
   Eigen::Index size = 0;
   for (const auto& [body, basis] : bases) {
-    size += 6 + static_cast<Eigen::Index>(basis.modes());
+    size += rigid_motions_of(basis) + static_cast<Eigen::Index>(basis.modes());
   }
   Eigen::MatrixXd shapes = Eigen::MatrixXd::Zero(3 * std::ssize(part.node_ids), size);
   ReducedAssembly result{Eigen::MatrixXd::Zero(size, size), Eigen::MatrixXd::Zero(size, size)};
   Eigen::Index column = 0;
+  std::vector<solid::NodeState> rest(part.node_ids.size());
+  const auto add_stress = [&](const modal_bodies::ModalBasis& basis, Eigen::Index first) {
+    const auto modes = std::ssize(basis.rest_force);
+    result.stiffness.block(first, first, modes, modes) +=
+        Eigen::MatrixXd::Map(basis.rest_stiffness.data(), modes, modes);
+  };
   for (const auto& [body, basis] : bases) {
     const Eigen::MatrixXd own = all_shapes(basis, assembly.meshes[body]);
     shapes.block(3 * Eigen::Index{part.bodies[body].owned_begin}, column, own.rows(), own.cols()) = own;
-    column += 6;
+    for (std::size_t c = 0; c < basis.rest.size(); ++c) {
+      rest[part.bodies[body].owned_begin + c / 3].displacement[c % 3] = basis.rest[c];
+    }
+    column += rigid_motions_of(basis);
+    add_stress(basis, column);
     for (std::size_t mode = 0; mode < basis.modes(); ++mode, ++column) {
-      result.stiffness(column, column) = basis.frequencies[mode] * basis.frequencies[mode];
+      result.stiffness(column, column) += basis.frequencies[mode] * basis.frequencies[mode];
       result.damping(column, column) = 2 * basis.decay_rates[mode];
     }
   }
@@ -127,7 +157,7 @@ ReducedAssembly reduced(const Assembly& assembly, const modal_bodies::ModalBases
     result.damping += attachments.joints[0].damping * added;
   };
   for (std::size_t joint = 0; joint < attachments.joints.size(); ++joint) {
-    joints.for_each_stiffness(joint, add);
+    joints.for_each_stiffness(joint, rest, add);
   }
   return result;
 }
@@ -145,15 +175,16 @@ LargestError largest_error(Assembly assembly, const scene::ModalModel& model, bo
     body.modal = model;
   }
   const Modes expected = assembly.find(5);
-  const auto [stiffness, damping] = reduced(assembly, bases_of(assembly, joined));
+  const modal_bodies::ModalBases bases = bases_of(assembly, joined);
+  const auto [stiffness, damping] = reduced(assembly, bases);
   const auto [squares, vectors] = dense::eigenpairs(stiffness);
   LargestError largest;
   for (Eigen::Index mode = 0; mode < std::ssize(expected.modes); ++mode) {
     const Mode& right = expected.modes[mode];
-    const double frequency = std::sqrt(squares[6 + mode]);
+    const double frequency = std::sqrt(squares[expected.rigid_motions + mode]);
     const double ratio = frequency / (2 * std::numbers::pi * right.frequency);
     largest.cents = std::max(largest.cents, std::abs(1200 * std::log2(ratio)));
-    const Eigen::VectorXd shape = vectors.col(6 + mode);
+    const Eigen::VectorXd shape = vectors.col(expected.rigid_motions + mode);
     const double zeta = shape.dot(damping * shape) / (2 * frequency);
     largest.damping = std::max(largest.damping, std::abs(zeta / right.damping_ratio - 1));
   }
@@ -166,6 +197,15 @@ TEST(JoinedModalBodies, HaveTheFrequenciesOfTheirFiniteElements) {
   EXPECT_LT(largest_error(cut_bar(std::nullopt), lowest(4)).cents, 1e-3);
   EXPECT_LT(largest_error(cut_bar(scene::JointStiffness{1e13, 4e12}), lowest(4)).cents, 1e-3);
   EXPECT_GT(largest_error(cut_bar(std::nullopt), lowest(4), false).cents, 100.0);  // free modes alone are too stiff
+}
+
+TEST(JoinedModalBodies, HaveTheFrequenciesAboutTheRestUnderAPrestress) {
+  Assembly slack = taut_strips(std::nullopt);
+  slack.scene.bodies[1].prestress.reset();
+  const Assembly taut = taut_strips(std::nullopt);
+  EXPECT_GT(taut.find(1).modes[0].frequency, 1.5 * slack.find(1).modes[0].frequency);
+  EXPECT_LT(largest_error(taut, lowest(4)).cents, 1e-2);
+  EXPECT_LT(largest_error(taut_strips(scene::JointStiffness{1e12, 4e11}), lowest(4)).cents, 1e-2);
 }
 
 TEST(JoinedModalBodies, HaveTheDampingOfTheirFiniteElements) {

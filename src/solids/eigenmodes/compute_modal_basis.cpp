@@ -16,6 +16,7 @@
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/mesh/statistics.hpp"
 #include "joined_shapes.hpp"
+#include "operators.hpp"
 #include "rigid_motions.hpp"
 #include "shifted_stiffness.hpp"
 
@@ -78,6 +79,35 @@ void check(const Modes& found, const scene::Body& body, const deck::Location& wh
   }
 }
 
+bool is_deformed(const JoinedMotion* joined) {
+  return joined != nullptr && !joined->rest.empty();
+}
+
+/// What stress at rest does to the modes of the unstressed body.
+/// @param alone  the body with its prestress
+/// @param rest   [3 x nodes] displacements, m
+void add_rest(const scene::Solids& alone, const mesh::Part& part, const motion::Attachments& attachments,
+              const std::vector<double>& rest, modal_bodies::ModalBasis& basis) {
+  const Operators stressed(alone, part, attachments, MassMatrix::lumped, rest, MPI_COMM_SELF);
+  const auto rows = static_cast<Eigen::Index>(3 * basis.nodes()), modes = static_cast<Eigen::Index>(basis.modes());
+  const auto shapes = Eigen::MatrixXd::Map(basis.shapes.data(), rows, modes);
+  std::vector<solid::NodeForce> force(basis.nodes());
+  stressed.dynamics().solid(0).add_internal_force(stressed.rest(), force);
+  Eigen::VectorXd at_components(rows);
+  for (Eigen::Index c = 0; c < rows; ++c) {
+    at_components[c] = force[c / 3].component[c % 3];
+  }
+  const Eigen::VectorXd of_modes = shapes.transpose() * at_components;
+  Eigen::MatrixXd added = shapes.transpose() * product(stressed.stiffness(), stressed, shapes);
+  for (Eigen::Index mode = 0; mode < modes; ++mode) {
+    added(mode, mode) -= basis.frequencies[mode] * basis.frequencies[mode];
+  }
+  added = (added + added.transpose()).eval() / 2;
+  basis.rest = rest;
+  basis.rest_force.assign(of_modes.begin(), of_modes.end());
+  basis.rest_stiffness.assign(added.data(), added.data() + added.size());
+}
+
 /// With a shift where the body can move rigidly.
 ShiftedStiffness invertible_stiffness(const Operators& operators, const Modes& found) {
   return {operators, found.rigid_motions > 0 ? std::pow(2 * std::numbers::pi * found.shift, 2) : 0.0};
@@ -90,6 +120,10 @@ modal_bodies::ModalBasis modal_basis(const scene::Solids& solids, std::size_t bo
   const scene::ModalModel& model = *solids.bodies[body].modal;
   scene::Body unsupported = solids.bodies[body];
   unsupported.supports.clear();  // they are loads of a modal body
+  const scene::Body stressed = unsupported;
+  if (is_deformed(joined)) {
+    unsupported.prestress.reset();
+  }
   scene::Solids alone = solids.alone(body);
   alone.bodies = {&unsupported, 1};
   const std::vector meshes = {mesh};
@@ -99,14 +133,14 @@ modal_bodies::ModalBasis modal_basis(const scene::Solids& solids, std::size_t bo
   options.count = model.count.value_or(options.count);
   options.up_to = model.up_to;
   options.align_double_modes = model.stretching_tolerance.has_value();
+  const Operators operators(alone, part, attachments, MassMatrix::lumped, MPI_COMM_SELF);
   Modes found;
   try {
-    found = find_modes(alone, part, attachments, options, MPI_COMM_SELF);
+    found = find_modes(alone, part, operators, options, MPI_COMM_SELF);
   } catch (const std::runtime_error& error) {
     throw deck::DeckError(model.where, error.what());
   }
   check(found, solids.bodies[body], model.where);
-  const Operators operators(alone, part, attachments, MassMatrix::lumped, MPI_COMM_SELF);
   const std::size_t own = found.modes.size();
   if (joined != nullptr) {
     const auto rigid = rigid_motions(part, operators, MPI_COMM_SELF);
@@ -116,6 +150,11 @@ modal_bodies::ModalBasis modal_basis(const scene::Solids& solids, std::size_t bo
   }
   modal_bodies::ModalBasis basis = basis_of(found, operators.dynamics());
   basis.further = found.modes.size() - own;
+  if (is_deformed(joined)) {
+    alone.bodies = {&stressed, 1};
+    add_rest(alone, part, attachments, joined->rest, basis);
+    alone.bodies = {&unsupported, 1};
+  }
   basis.mass_damping = solids.materials[unsupported.material].damping.of_all_motion();
   double mass = 0.0;
   for (const double share : basis.masses) {

@@ -80,8 +80,13 @@ void check_buckling(std::span<const scene::Body> bodies, const Operators& operat
 
 Modes find_modes(const scene::Solids& solids, const mesh::Part& part, const motion::Attachments& attachments,
                  const Options& options, MPI_Comm communicator) {
+  return find_modes(solids, part, Operators(solids, part, attachments, options.mass, communicator), options,
+                    communicator);
+}
+
+Modes find_modes(const scene::Solids& solids, const mesh::Part& part, const Operators& operators,
+                 const Options& options, MPI_Comm communicator) {
   const std::string name = name_of(solids.bodies);
-  const Operators operators(solids, part, attachments, options.mass, communicator);
   const auto rigid = rigid_motions(part, operators, communicator);
   Modes found;
   found.rigid_motions = static_cast<int>(rigid.size());

@@ -2,16 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
-#include <numeric>
 #include <span>
 
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/scene/joined_solids.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 #include "idiophone/solids/joints/joints.hpp"
-#include "idiophone/solids/motion/deforming_cause.hpp"
-#include "idiophone/solids/motion/prestress_balance.hpp"
+#include "operators.hpp"
 
 namespace idiophone::eigenmodes {
 
@@ -40,15 +39,14 @@ const scene::ModalModel& most_demanding(std::span<const scene::Body> assembly) {
   return *std::ranges::max_element(assembly, {}, demand)->modal;
 }
 
-/// @throws deck::DeckError where a prestress deforms a body of an assembly that has a modal one
-void refuse_deformed(const scene::Solids& assembly, const mesh::Part& part, const motion::Attachments& attachments) {
-  const motion::FiniteElementDynamics dynamics(assembly, part, attachments);
-  std::vector<std::size_t> bodies(assembly.bodies.size());
-  std::iota(bodies.begin(), bodies.end(), 0);
-  const std::vector<char> deformed = motion::deformed_by_prestress(assembly, part, dynamics, MPI_COMM_SELF);
-  if (const auto cause = motion::deforming_cause(assembly, bodies, deformed)) {
-    motion::refuse_modal(assembly, bodies, *cause);
+/// The displacements of one body at rest. [3 x nodes]
+std::vector<double> rest_of(const mesh::BodyPart& body, std::span<const solid::NodeState> rest) {
+  std::vector<double> displacements;
+  for (Index node = body.owned_begin; node < body.owned_end; ++node) {
+    const auto& of_node = rest[node].displacement;
+    displacements.insert(displacements.end(), std::begin(of_node), std::end(of_node));
   }
+  return displacements;
 }
 
 /// @param bodies  numbers of the assembly's bodies
@@ -64,10 +62,10 @@ void add_motions(const scene::Solids& solids, const std::vector<std::size_t>& bo
   std::ranges::transform(bodies, std::back_inserter(own), [&](std::size_t b) { return meshes[b]; });
   const motion::Attachments attachments = motion::attach(assembly, own);
   const mesh::Part part = mesh::distribute(own, MPI_COMM_SELF);
-  refuse_deformed(assembly, part, attachments);
+  const Operators operators(assembly, part, attachments, MassMatrix::lumped, MPI_COMM_SELF);
   Modes found;
   try {
-    found = find_modes(assembly, part, attachments, wanted_modes(assembly.bodies), MPI_COMM_SELF);
+    found = find_modes(assembly, part, operators, wanted_modes(assembly.bodies), MPI_COMM_SELF);
   } catch (const std::runtime_error& error) {
     throw deck::DeckError(most_demanding(assembly.bodies).where, error.what());
   }
@@ -79,6 +77,9 @@ void add_motions(const scene::Solids& solids, const std::vector<std::size_t>& bo
     }
     const std::ptrdiff_t begin = part.bodies[place].owned_begin, end = part.bodies[place].owned_end;
     JoinedMotion& motion = motions[bodies[place]];
+    if (operators.is_deformed()) {
+      motion.rest = rest_of(part.bodies[place], operators.rest());
+    }
     motion.springs.assign(springs.begin() + begin, springs.begin() + end);
     for (const Mode& mode : found.modes) {
       motion.frequencies.push_back(2 * std::numbers::pi * mode.lossless_frequency);

@@ -6,11 +6,8 @@
 
 namespace idiophone::eigenmodes {
 
-namespace {
-
 using parallel::petsc;
 
-/// The product of a matrix of the free components with fields, one in each column.
 Eigen::MatrixXd product(Mat matrix, const Operators& operators, const Eigen::MatrixXd& fields) {
   Eigen::MatrixXd result(fields.rows(), fields.cols());
   for (Eigen::Index column = 0; column < fields.cols(); ++column) {
@@ -24,6 +21,8 @@ Eigen::MatrixXd product(Mat matrix, const Operators& operators, const Eigen::Mat
   }
   return result;
 }
+
+namespace {
 
 /// What rigid motions and modes lack of the joined motion, for modes of the assembly with the energy 1/2 J.
 Eigen::MatrixXd remainders(const Operators& operators, const Modes& found,

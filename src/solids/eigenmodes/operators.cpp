@@ -11,6 +11,7 @@
 #include "idiophone/solids/motion/prestress_balance.hpp"
 #include "idiophone/solids/solid/consistent_mass.hpp"
 #include "rest.hpp"
+#include "with_ghosts.hpp"
 
 namespace idiophone::eigenmodes {
 
@@ -50,34 +51,49 @@ void finish(Mat matrix) {
 }  // namespace
 
 Operators::Operators(const scene::Solids& solids, const mesh::Part& part, const motion::Attachments& attachments,
-                     MassMatrix mass, MPI_Comm communicator)
+                     MPI_Comm communicator)
     : dynamics_(solids, part, attachments),
       components_(number_free(part, dynamics_.constraints().held_components(), communicator)),
       support_(part.owned_nodes),
-      dashpot_(part.owned_nodes) {
+      dashpot_(part.owned_nodes),
+      rest_(part.node_ids.size()) {
   dynamics_.loads().add_support_stiffness(support_);
   dynamics_.loads().add_support_damping(dashpot_);
   size_ = parallel::sum(components_.end - components_.begin, communicator);
-  const std::vector<char> deformed = motion::deformed_by_prestress(solids, part, dynamics_, communicator);
-  is_deformed_ = std::ranges::count(deformed, 1) > 0;
-  std::vector<solid::NodeState> rest(part.node_ids.size());
-  if (is_deformed_) {
-    rest = rest_under_prestress(solids, part, dynamics_, deformed, support_, components_, communicator);
-  }
-  assemble(part, rest, mass, communicator);
 }
 
-void Operators::assemble(const mesh::Part& part, std::span<const solid::NodeState> rest, MassMatrix mass,
-                         MPI_Comm communicator) {
+Operators::Operators(const scene::Solids& solids, const mesh::Part& part, const motion::Attachments& attachments,
+                     MassMatrix mass, MPI_Comm communicator)
+    : Operators(solids, part, attachments, communicator) {
+  const std::vector<char> deformed = motion::deformed_by_prestress(solids, part, dynamics_, communicator);
+  is_deformed_ = std::ranges::count(deformed, 1) > 0;
+  if (is_deformed_) {
+    rest_ = rest_under_prestress(solids, part, dynamics_, deformed, support_, components_, communicator);
+  }
+  assemble(part, mass, communicator);
+}
+
+Operators::Operators(const scene::Solids& solids, const mesh::Part& part, const motion::Attachments& attachments,
+                     MassMatrix mass, std::span<const double> rest, MPI_Comm communicator)
+    : Operators(solids, part, attachments, communicator) {
+  is_deformed_ = true;
+  const std::vector<double> displacements = with_ghosts(part, rest, communicator);
+  for (std::size_t c = 0; c < displacements.size(); ++c) {
+    rest_[c / 3].displacement[c % 3] = displacements[c];
+  }
+  assemble(part, mass, communicator);
+}
+
+void Operators::assemble(const mesh::Part& part, MassMatrix mass, MPI_Comm communicator) {
   const joints::Joints& joints = dynamics_.joints();
   stiffness_ = motion::create_matrix(part.bodies, components_, motion::Coupling::of_all_axes, communicator,
                                      joints::coupled_nodes(joints.all()));
   for (std::size_t b = 0; b < part.bodies.size(); ++b) {
-    motion::add_tangent_stiffness(part, part.bodies[b], dynamics_.solid(b), &solid::Solid::elasticity, rest,
+    motion::add_tangent_stiffness(part, part.bodies[b], dynamics_.solid(b), &solid::Solid::elasticity, rest_,
                                   components_, stiffness_);
   }
   add_diagonal(stiffness_, support_);
-  motion::add_joint_stiffness(joints, rest, components_, stiffness_);
+  motion::add_joint_stiffness(joints, rest_, components_, stiffness_);
   finish(stiffness_);
   if (mass == MassMatrix::consistent) {
     mass_ = motion::create_matrix(part.bodies, components_, motion::Coupling::of_each_axis, communicator);

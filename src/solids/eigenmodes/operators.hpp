@@ -21,12 +21,18 @@ class Operators : public EigenProblem {
   /// Collective. See find_modes.
   Operators(const scene::Solids& solids, const mesh::Part& part, const motion::Attachments& attachments,
             MassMatrix mass, MPI_Comm communicator);
+  /// About a rest that is known, under forces of other bodies.
+  /// @param rest  displacements, m, [3 x owned nodes]
+  Operators(const scene::Solids& solids, const mesh::Part& part, const motion::Attachments& attachments,
+            MassMatrix mass, std::span<const double> rest, MPI_Comm communicator);
 
   [[nodiscard]] Mat stiffness() const override { return stiffness_; }  ///< supports and joints included
   [[nodiscard]] Mat mass() const override { return mass_; }
   [[nodiscard]] PetscInt size() const { return size_; }  ///< free components on all ranks
   [[nodiscard]] const motion::FiniteElementDynamics& dynamics() const { return dynamics_; }
-  [[nodiscard]] bool is_deformed() const { return is_deformed_; }  ///< a prestress deforms a body, on any rank
+  [[nodiscard]] bool is_deformed() const { return is_deformed_; }  ///< the rest is not that of undeformed bodies
+  /// Where the bodies rest: displacements of the local nodes, ghosts included.
+  [[nodiscard]] std::span<const solid::NodeState> rest() const { return rest_; }
   [[nodiscard]] const std::vector<double>& support() const { return support_; }  ///< at owned nodes, N/m
   [[nodiscard]] const std::vector<double>& dashpot() const { return dashpot_; }  ///< at owned nodes, N s/m
 
@@ -42,8 +48,10 @@ class Operators : public EigenProblem {
   [[nodiscard]] std::vector<double> extended(Vec vector) const override;
 
  private:
-  /// @param rest  [local nodes] where the bodies rest
-  void assemble(const mesh::Part& part, std::span<const solid::NodeState> rest, MassMatrix mass, MPI_Comm communicator);
+  /// Of undeformed bodies, without matrices.
+  Operators(const scene::Solids& solids, const mesh::Part& part, const motion::Attachments& attachments,
+            MPI_Comm communicator);
+  void assemble(const mesh::Part& part, MassMatrix mass, MPI_Comm communicator);
   /// Adds the matrices of the elements of one body.
   void add_elements(
       const mesh::Part& part, std::size_t number, Mat matrix,
@@ -57,6 +65,7 @@ class Operators : public EigenProblem {
   std::vector<double> dashpot_;
   PetscInt size_ = 0;
   bool is_deformed_ = false;
+  std::vector<solid::NodeState> rest_;
   parallel::Handle<Mat> stiffness_;
   parallel::Handle<Mat> mass_;
 };

@@ -34,9 +34,21 @@ ModalBody::ModalBody(std::string name, const Vector3& gravity, const mesh::Part&
     return;
   }
   shapes_ = ModalShapes(basis);
-  inertia_ = ModalInertia(basis.masses, std::span(part_.reference).subspan(body_.owned_begin), shapes_);
+  std::vector<Vector3> places(part_.reference.begin() + body_.owned_begin, part_.reference.begin() + body_.owned_end);
+  for (std::size_t c = 0; c < basis.rest.size(); c += 3) {
+    rest_.emplace_back(&basis.rest[c]);
+  }
+  for (std::size_t node = 0; node < rest_.size(); ++node) {
+    places[node] += rest_[node];
+    mean_rest_ += basis.masses[node] * rest_[node];
+  }
+  mean_rest_ /= std::accumulate(basis.masses.begin(), basis.masses.end(), 0.0);
+  inertia_ = ModalInertia(basis.masses, places, shapes_);
   all_ = NodeGroup(shapes_, inertia_.arms(), numbers_below(inertia_.masses().size()));
   residual_ = ResidualFlexibility(basis, omitted_mobility());
+  rest_force_ = Eigen::ArrayXd::Map(basis.rest_force.data(), std::ssize(basis.rest_force));
+  rest_stiffness_ =
+      Eigen::MatrixXd::Map(basis.rest_stiffness.data(), std::ssize(basis.rest_force), std::ssize(basis.rest_force));
   if (is_free_) {
     frame_ = FloatingFrame(inertia_.mass(), inertia_.second_moment(), basis.mass_damping, gravity_);
   }
@@ -71,8 +83,9 @@ double ModalBody::largest_eigenvalue(std::span<const double> springs) const {
 motion::StableStep ModalBody::stable_step(const motion::Supports& supports, const motion::BodyRanks& /*ranks*/) const {
   motion::StableStep result;
   result.damping = largest_eigenvalue(supports.damping);
+  const double of_stress = rest_.empty() ? 0.0 : rest_stiffness_.cwiseAbs().rowwise().sum().maxCoeff();
   result.largest_frequency =
-      std::sqrt(highest_frequency_ * highest_frequency_ + largest_eigenvalue(supports.stiffness));
+      std::sqrt(highest_frequency_ * highest_frequency_ + largest_eigenvalue(supports.stiffness) + of_stress);
   result.step = motion::largest_step(result.largest_frequency, result.damping);
   return result;
 }
@@ -86,13 +99,16 @@ void ModalBody::start(const scene::Body& body, const Vector3& centre, std::span<
   if (!is_here()) {
     return;
   }
+  const auto arm_of = [&](std::size_t node) -> Vector3 {
+    return part_.reference[body_.owned_begin + node] + rest_at(node) - (centre + mean_rest_);
+  };
   // What the displacements of the start are as rigid motion, and the rest as modes: M makes them orthogonal.
   Vector3 shift = Vector3::Zero();
   Vector3 turned = Vector3::Zero();
   for (std::size_t node = 0; is_free_ && node < inertia_.masses().size(); ++node) {
-    const Eigen::Map<const Vector3> displacement(state[body_.owned_begin + node].displacement);
+    const Vector3 displacement = Vector3(state[body_.owned_begin + node].displacement) - rest_at(node);
     shift += inertia_.masses()[node] / inertia_.mass() * displacement;
-    turned += inertia_.masses()[node] * (part_.reference[body_.owned_begin + node] - centre).cross(displacement);
+    turned += inertia_.masses()[node] * arm_of(node).cross(displacement);
   }
   const Vector3 angle = is_free_ ? Vector3(inertia_.inverse_inertia() * turned) : Vector3::Zero();
   const Eigen::AngleAxisd turn(angle.norm(), angle.isZero(0.0) ? Vector3::UnitX() : angle.normalized());
@@ -102,8 +118,8 @@ void ModalBody::start(const scene::Body& body, const Vector3& centre, std::span<
   Eigen::ArrayXd places = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(modes_));
   Eigen::ArrayXd rates = places;
   for (std::size_t node = 0; node < inertia_.masses().size(); ++node) {
-    const Vector3 arm = part_.reference[body_.owned_begin + node] - centre;
-    const Eigen::Map<const Vector3> displacement(state[body_.owned_begin + node].displacement);
+    const Vector3 arm = arm_of(node);
+    const Vector3 displacement = Vector3(state[body_.owned_begin + node].displacement) - rest_at(node);
     const Vector3 deformed = frame_.turn().transpose() * (displacement - frame_.shift() - frame_.turn_less_one() * arm);
     const Vector3 velocity = is_free_ ? Vector3(Vector3::Zero()) : Vector3(body.velocity + body.spin.cross(arm));
     shapes_.add_products(node, inertia_.masses()[node] * deformed, places);
@@ -134,7 +150,7 @@ void ModalBody::find_load(std::span<const NodeForce> force, std::span<const Node
     for (std::size_t axis = 0; axis < 3; ++axis) {
       load.at_nodes[i / solid::lanes].at(axis)[i % solid::lanes] = turned[static_cast<Eigen::Index>(axis)];
     }
-    const Eigen::Map<const Vector3> displacement(state[node].displacement);
+    const Vector3 displacement = Vector3(state[node].displacement) - rest_at(number);
     load.force += here;
     load.torque += (inertia_.arms()[number] + displacement - frame_.shift()).cross(here);
     shapes_.add_products(number, turned, load.modal);
@@ -143,6 +159,9 @@ void ModalBody::find_load(std::span<const NodeForce> force, std::span<const Node
     inertia_.add_centrifugal(frame_.own_spin(), load.modal);
   } else {
     inertia_.add_weight(gravity_, load.modal);
+  }
+  if (!rest_.empty()) {
+    load.modal += force_of_rest();
   }
 }
 

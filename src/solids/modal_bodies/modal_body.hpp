@@ -1,6 +1,7 @@
 #pragma once
 // A body that moves rigidly and vibrates by its modes about that motion; one that is held only vibrates. It lies on one
-// rank. A node X is at c + R (X - C + sum_k q_k phi_k(X) + s), s the residual displacement where a force acts.
+// rank. A node X is at c + R (X - C + sum_k q_k phi_k(X) + s), s the residual displacement where a force acts. Among
+// bodies that pull at it at rest, it is displaced by that, too, and its stress at rest acts on the modes.
 
 #include <string>
 
@@ -75,6 +76,12 @@ class ModalBody : public motion::BodyModel {
   /// @param springs  [local nodes] N/m; of dashpots (N s/m), the eigenvalue is in 1/s
   [[nodiscard]] double largest_eigenvalue(std::span<const double> springs) const;
   void find_load(std::span<const NodeForce> force, std::span<const NodeState> state, Load& load) const;
+  /// m
+  [[nodiscard]] Vector3 rest_at(std::size_t node) const { return rest_.empty() ? Vector3::Zero() : rest_[node]; }
+  /// Of the stress at rest on the modes, N/kg^1/2. [modes]
+  [[nodiscard]] Eigen::ArrayXd force_of_rest() const {
+    return rest_force_ - (rest_stiffness_ * coordinates_.places().matrix()).array();
+  }
   void update_chosen(std::span<NodeState> state) const;
   /// Puts the states of a pack of nodes together from rigid motion and vibration.
   void move(const NodeGroup& group, std::size_t pack, const NodeGroup::Vibration& vibration,
@@ -93,7 +100,11 @@ class ModalBody : public motion::BodyModel {
   NodeGroup all_;     ///< all nodes
   NodeGroup chosen_;  ///< nodes that are read in every step
   ModalCoordinates coordinates_;
-  ResidualFlexibility residual_;  ///< of the chosen nodes
+  ResidualFlexibility residual_;         ///< of the chosen nodes
+  std::vector<Vector3> rest_;            ///< [nodes] displacements at rest, m; empty: none. Arms are from there
+  Vector3 mean_rest_ = Vector3::Zero();  ///< of the centre of mass, m
+  Eigen::ArrayXd rest_force_;            ///< [modes] likewise, of its stress there, N/kg^1/2
+  Eigen::MatrixXd rest_stiffness_;       ///< [modes x modes] that this stress adds, 1/s2
   FloatingFrame frame_;
   Load load_;                 ///< of the step, kept for its memory
   double highest_frequency_;  ///< of all oscillators, rad/s

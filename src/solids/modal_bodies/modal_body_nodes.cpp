@@ -88,7 +88,11 @@ void ModalBody::move(const NodeGroup& group, std::size_t pack, const NodeGroup::
   std::array<NodeState, solid::lanes> states;
   solid::write_lines(rows, [&](int lane) { return states.at(static_cast<std::size_t>(lane)).displacement; });
   for (std::size_t lane = 0; lane < group.nodes(pack).size(); ++lane) {
-    state[body_.owned_begin + group.nodes(pack)[lane]] = states.at(lane);
+    NodeState& of_node = state[body_.owned_begin + group.nodes(pack)[lane]];
+    of_node = states.at(lane);
+    if (!rest_.empty()) {
+      Vector3::Map(of_node.displacement) += rest_[group.nodes(pack)[lane]];
+    }
   }
 }
 

@@ -32,10 +32,16 @@ void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span
     }
     deformed += places[mode] * frame_.turn() * inertia_.moments(k).cross;
   }
+  for (std::size_t node = 0; node < rest_.size(); ++node) {
+    displacement += inertia_.masses()[node] * rest_[node];
+    deformed += inertia_.masses()[node] * rest_[node] * inertia_.arms()[node].transpose();
+  }
   const double kinetic = inertia_.mass() / 2 * rigid.velocity.squaredNorm() +
                          rigid.spin.dot(rigid.angular_momentum) / 2 + rates.square().sum() / 2 +
                          residual_.kinetic_energy();
-  const double elastic = coordinates_.elastic_energy() + residual_.elastic_energy();
+  // What its stress at rest has done.
+  const double of_rest = rest_.empty() ? 0.0 : ((rest_force_ + force_of_rest()) * places).sum() / 2;
+  const double elastic = coordinates_.elastic_energy() + residual_.elastic_energy() - of_rest;
   const Eigen::Matrix3d turned = frame_.turn_less_one() * inertia_.second_moment();
   const Eigen::Matrix3d mixed = deformed * frame_.turn_less_one().transpose();
   const Vector3 shift = displacement / inertia_.mass();

@@ -21,8 +21,9 @@ void broadcast(ModalBasis& basis, MPI_Comm communicator) {
   parallel::broadcast(basis.is_free, communicator);
   parallel::broadcast(basis.further, communicator);
   Stretching& stretching = basis.stretching;
-  for (auto* values : {&basis.frequencies, &basis.decay_rates, &basis.shapes, &basis.masses, &basis.residual,
-                       &stretching.linear, &stretching.quadratic, &stretching.rotation}) {
+  for (auto* values :
+       {&basis.frequencies, &basis.decay_rates, &basis.shapes, &basis.masses, &basis.residual, &basis.rest,
+        &basis.rest_force, &basis.rest_stiffness, &stretching.linear, &stretching.quadratic, &stretching.rotation}) {
     parallel::broadcast(*values, communicator);
   }
   parallel::broadcast(basis.mass_damping, communicator);

@@ -21,14 +21,4 @@ std::optional<DeformingCause> deforming_cause(const scene::Solids& solids, std::
   return std::nullopt;
 }
 
-void refuse_modal(const scene::Solids& solids, std::span<const std::size_t> bodies, const DeformingCause& cause) {
-  const auto is_modal = [&](std::size_t body) { return solids.bodies[body].modal.has_value(); };
-  if (const auto modal = std::ranges::find_if(bodies, is_modal); bodies.size() > 1 && modal != bodies.end()) {
-    throw deck::DeckError(cause.where,
-                          fmt::format("{} deforms bodies that joints tie together, and '{}' is modal, which can't be "
-                                      "deformed by a joint at rest: use model: {{type: finite_elements}}",
-                                      cause.what, solids.bodies[*modal].name));
-  }
-}
-
 }  // namespace idiophone::motion

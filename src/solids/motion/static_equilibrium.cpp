@@ -151,16 +151,15 @@ std::vector<double> static_equilibrium(const scene::Solids& solids, const mesh::
     if (!cause) {
       continue;
     }
-    refuse_modal(solids, bodies, *cause);
     const std::size_t first = bodies.front();
-    const bool is_modal = solids.bodies[first].modal.has_value();
-    if (is_modal && !is_plucked(solids, first)) {
+    const bool is_modal_alone = bodies.size() == 1 && solids.bodies[first].modal.has_value();
+    if (is_modal_alone && !is_plucked(solids, first)) {
       continue;
     }
     const std::string names = names_of(solids, bodies);
     ForceBalance problem(solids, part, attachments, dynamics, bodies, true);
     std::vector<double> u = solve(problem, names, *cause);
-    if (is_modal && deformed[first] != 0) {  // its modes move it about where its prestress leaves it
+    if (is_modal_alone && deformed[first] != 0) {  // its modes move it about where its prestress leaves it
       ForceBalance unloaded(solids, part, attachments, dynamics, bodies, false);
       std::ranges::transform(u, solve(unloaded, names, *cause), u.begin(), std::minus());
     }

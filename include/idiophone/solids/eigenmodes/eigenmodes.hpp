@@ -14,6 +14,8 @@
 
 namespace idiophone::eigenmodes {
 
+class Operators;
+
 /// The lumped mass is what the motion in time has. With the consistent one, frequencies of straight-sided elements are
 /// upper bounds of those of the solid.
 enum class MassMatrix { lumped, consistent };
@@ -55,5 +57,9 @@ struct Modes {
 ///         shift of zero is asked for a body that can move rigidly, an element is inverted, or the solver fails
 [[nodiscard]] Modes find_modes(const scene::Solids& solids, const mesh::Part& part,
                                const motion::Attachments& attachments, const Options& options, MPI_Comm communicator);
+/// The same with matrices that are known.
+/// @param operators  of these solids; their mass counts, not that of the options
+[[nodiscard]] Modes find_modes(const scene::Solids& solids, const mesh::Part& part, const Operators& operators,
+                               const Options& options, MPI_Comm communicator);
 
 }  // namespace idiophone::eigenmodes

@@ -10,7 +10,8 @@
 
 namespace idiophone::modal_bodies {
 
-/// Free vibrations of a body about its undeformed state: how it is held counts, its supports do not.
+/// Free vibrations of a body about its rest: how it is held counts, its supports do not. Of a body that others pull at
+/// at rest, those of the unstressed body.
 struct ModalBasis {
   bool is_free = false;             ///< it has six rigid motions; otherwise none
   std::vector<double> frequencies;  ///< [modes] w without damping, rad/s, ascending
@@ -21,9 +22,14 @@ struct ModalBasis {
   /// [nodes] Flexibility that the modes left out add at a node along its normal, m/N: the static displacement by a unit
   /// force there, less that of the modes above. Zero where no load, support or contact can act.
   std::vector<double> residual;
-  double mass_damping = 0.0;  ///< alpha, 1/s; it slows rigid motion, too
-  double thickness = 0.0;     ///< twice the volume over the surface, m
-  Stretching stretching;      ///< of large vibrations; none where they are taken as small
+  /// [3 x nodes] displacements at rest among bodies that joints tie to it, m: displacements of the body contain them.
+  /// Empty: they count from where the body rests by itself
+  std::vector<double> rest;
+  std::vector<double> rest_force;  ///< [modes] of its own stress there, which joints balance, N/kg^1/2; empty likewise
+  std::vector<double> rest_stiffness;  ///< [modes x modes] that this stress adds to the modes, 1/s2; empty likewise
+  double mass_damping = 0.0;           ///< alpha, 1/s; it slows rigid motion, too
+  double thickness = 0.0;              ///< twice the volume over the surface, m
+  Stretching stretching;               ///< of large vibrations; none where they are taken as small
 
   [[nodiscard]] std::size_t modes() const { return frequencies.size(); }
   [[nodiscard]] std::size_t nodes() const { return masses.size(); }

@@ -23,9 +23,4 @@ struct DeformingCause {
                                                             std::span<const std::size_t> bodies,
                                                             std::span<const char> deformed);
 
-/// @param bodies  as deforming_cause() has them
-/// @throws deck::DeckError where one of several bodies is modal: the modes of a body know nothing of the pull of a
-///         joint
-void refuse_modal(const scene::Solids& solids, std::span<const std::size_t> bodies, const DeformingCause& cause);
-
 }  // namespace idiophone::motion
