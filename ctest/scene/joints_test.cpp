@@ -135,9 +135,13 @@ TEST_F(Joints, AnswerMistakes) {
 TEST_F(Joints, AreRefusedBesideWhatTheyDoNotKnow) {
   const std::string joint = glue("stiffness: rigid");
   EXPECT_EQ(mistakes(replaced(plate, "fixed: [rim]", "model: {type: modal, large_amplitudes: true}") + joint),
-            "deck.yaml:11:27: joints.glue: body 'plate' has large_amplitudes: leave them out, or use model: {type: "
+            "deck.yaml:11:27: joints.glue: body 'plate' has large_amplitudes, and its stretching would not pull at the "
+            "joint: "
+            "leave them out, or use model: {type: "
             "finite_elements}\n"
-            "deck.yaml:11:38: joints.glue: body 'plate' has large_amplitudes: leave them out, or use model: {type: "
+            "deck.yaml:11:38: joints.glue: body 'plate' has large_amplitudes, and its stretching would not pull at the "
+            "joint: "
+            "leave them out, or use model: {type: "
             "finite_elements}");
 }
 

@@ -117,7 +117,8 @@ namespace {
 /// What a body cannot have beside a joint; empty: nothing.
 std::string obstacle_to_joint(const Body& body) {
   if (body.modal && body.modal->stretching_tolerance) {
-    return "has large_amplitudes: leave them out, or use model: {type: finite_elements}";
+    return "has large_amplitudes, and its stretching would not pull at the joint: leave them out, or use model: {type: "
+           "finite_elements}";
   }
   if (!body.fracture.empty()) {
     return "can break: leave out its fracture or the joint";

@@ -322,6 +322,86 @@ struct PushedBar {
   std::unique_ptr<motion::Motion> motion;
 };
 
+/// Two strips of steel, 280 x 10 x 1 mm together, held at both ends and tied; a blow bends them by about their
+/// thickness.
+struct HardHitStrips {
+  /// @param modes  of each strip, with large amplitudes; 0: finite elements
+  explicit HardHitStrips(int modes) {
+    strips = taut_strips(scene::JointStiffness{1e14, 4e13});
+    strips.scene.bodies[1].prestress.reset();
+    for (scene::Body& body : strips.scene.bodies) {
+      if (modes > 0) {
+        body.modal = lowest(modes);
+        body.modal->stretching_tolerance = 0.001;
+      }
+    }
+    scene::ForcePulse pulse;
+    pulse.force = {0, 0, 60};
+    pulse.signal.duration = 1e-3;
+    strips.scene.pulses = {pulse};
+    bases = bases_of(strips);
+    const auto& nodes = strips.meshes[0].groups.at("x1");
+    scene::Scene joined = strips.scene;
+    joined.pulses.clear();
+    attachments = motion::attach(joined, strips.meshes);
+    attachments.pulses = {{nodes, std::vector(nodes.size(), 1.0 / static_cast<double>(nodes.size()))}};
+    part = mesh::distribute(strips.meshes, MPI_COMM_SELF);
+    models = modal_bodies::modal_models(strips.scene, bases);
+  }
+
+  /// Heights of the joint at ten times in 5 ms, m.
+  std::vector<double> path() {
+    const motion::FiniteElementDynamics elements(strips.scene, part, attachments);
+    const motion::Supports supports = motion::supports_of(part, elements);
+    double stable = 1.0;
+    for (std::size_t body = 0; body < 2; ++body) {
+      const auto model = models(part, body);
+      stable = std::min(stable, (model ? *model : elements.model(body)).stable_step(supports, {}).step);
+    }
+    constexpr double interval = 5e-4;  // s
+    const int steps = static_cast<int>(std::ceil(interval / (0.8 * stable)));
+    motion::Motion motion(strips.scene, part, attachments, contact::ContactSurfaces{}, interval / steps, 16,
+                          MPI_COMM_SELF, models, 16);
+    motion.start(motion::mass_properties(motion.dynamics(), part).centres, {});
+    std::vector<double> heights;
+    for (int place = 1; place <= 10; ++place) {
+      motion.advance_to(std::int64_t{place} * steps);
+      motion.update_nodes();
+      const auto& nodes = strips.meshes[1].groups.at("x0");
+      double sum = 0.0;
+      for (const Index node : nodes) {
+        sum += motion.state()[part.bodies[1].owned_begin + node].displacement[2];
+      }
+      heights.push_back(sum / static_cast<double>(nodes.size()));
+    }
+    return heights;
+  }
+
+  Assembly strips;
+  modal_bodies::ModalBases bases;
+  motion::Attachments attachments;
+  mesh::Part part;
+  motion::ModelMaker models;
+};
+
+/// Decks refuse this, because nothing tells whether the modes suffice: those of a strip held at one end shorten it
+/// where it bends, unless some of them stretch it, and the joint does not know of that.
+TEST(JoinedModalBodies, WithLargeAmplitudesNeedModesThatStretchThem) {
+  const std::vector<double> expected = HardHitStrips(0).path();
+  const double largest = *std::ranges::max_element(expected);
+  const auto difference_with = [&](int modes) {
+    const std::vector<double> found = HardHitStrips(modes).path();
+    double most = 0.0;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+      most = std::max(most, std::abs(found[i] - expected[i]));
+    }
+    return most / largest;
+  };
+  EXPECT_GT(largest, 2.5e-3);
+  EXPECT_LT(difference_with(40), 0.08);
+  EXPECT_GT(difference_with(10), 1.0);
+}
+
 /// Where the end of the bar is at ten times in 1.5 ms, m.
 std::vector<Vector3> path_of_end(const std::vector<std::size_t>& modal, double damping) {
   PushedBar bar(modal, damping);
