@@ -23,7 +23,7 @@ struct BodyWeights {
     }
     return rows;
   }
-  void add(const Eigen::MatrixX3d& rows) {
+  void add(const Eigen::MatrixX3d& rows) const {
     for (Eigen::Index row = 0; row < rows.rows(); ++row) {
       weights[row].value += rows(row, 0);
       weights[row].slope[0] += rows(row, 1);
@@ -44,7 +44,7 @@ Eigen::MatrixXd interpolation(const BodyWeights& given, const BodyWeights& refin
   return rows;
 }
 
-void match(const BodyWeights& given, BodyWeights refined, const mesh::RefinedMesh& mesh) {
+void match(const BodyWeights& given, const BodyWeights& refined, const mesh::RefinedMesh& mesh) {
   const Eigen::MatrixXd motion = interpolation(given, refined, mesh);
   const Eigen::LLT<Eigen::MatrixXd> gram(motion.transpose() * motion);
   const Eigen::MatrixX3d lacking = given.table() - motion.transpose() * refined.table();
