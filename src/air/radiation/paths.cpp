@@ -46,6 +46,7 @@ void find_paths(const surface::Emission& emission, const ReceiverState& receiver
   // c^2 t^2 = |d + v t|^2 with d = x - y; as R = c t: (1 - m^2) R^2 - 2 (d.m) R - d^2 = 0, m = v/c.
   const Vector3 mach = receiver.velocity / air.speed;
   const double slowness = 1.0 - mach.squaredNorm();
+  const double stretch = 1.0 / slowness;
   const WideLanes smallest = WideLanes{} + smallest_distance;
   for (std::size_t first = 0; first < count; first += wide_count) {
     WideVectors towards;
@@ -55,16 +56,17 @@ void find_paths(const surface::Emission& emission, const ReceiverState& receiver
       square += towards[axis] * towards[axis];
     }
     const WideLanes approach = dot(towards, mach);
-    WideLanes distance = (approach + square_root(approach * approach + slowness * square)) / slowness;
+    WideLanes distance = (approach + square_root(approach * approach + slowness * square)) * stretch;
     distance = distance < smallest ? smallest : distance;  // NaN fails the comparison and is kept, not clipped
     WideLanes facing{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
       towards[axis] += mach[axis] * distance;
       facing += towards[axis] * load<WideLanes>(&emission.normal[axis][first]);
     }
-    const WideLanes off_axis = dot(towards, receiver.axis) / distance;
+    const WideLanes reciprocal = 1.0 / distance;
+    const WideLanes off_axis = dot(towards, receiver.axis) * reciprocal;
     put(distance, &paths.distance[first]);
-    put(facing / distance, &paths.cosine[first]);
+    put(facing * reciprocal, &paths.cosine[first]);
     put(distance * air.samples_per_metre(), &paths.delay[first]);
     put(receiver.gain * (1.0 - receiver.directivity - receiver.directivity * off_axis), &paths.gain[first]);
   }

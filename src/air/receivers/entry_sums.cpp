@@ -1,6 +1,7 @@
 #include "idiophone/air/receivers/entry_sums.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "idiophone/foundation/lanes.hpp"
 
@@ -8,10 +9,25 @@ namespace idiophone::receivers {
 
 namespace {
 
-/// One of the arrivals.
-ArrivalBatch one_of(const ArrivalBatch& batch, std::size_t i) {
-  return {batch.sounds.subspan(i, 1), batch.changes.empty() ? batch.changes : batch.changes.subspan(i, 1),
-          batch.delays.subspan(i, 1)};
+/// One of the arrivals, and silent ones beside it.
+struct Alone {
+  std::array<double, lane_count> sounds = {}, changes = {}, delays = {};
+
+  Alone(const ArrivalBatch& batch, std::size_t i) {
+    sounds[0] = batch.sounds[i];
+    changes[0] = batch.changes.empty() ? 0.0 : batch.changes[i];
+    delays.fill(batch.delays[i]);
+  }
+
+  [[nodiscard]] ArrivalBatch like(const ArrivalBatch& batch) const {
+    return {sounds, batch.changes.empty() ? batch.changes : changes, delays};
+  }
+};
+
+/// [width] sums of a row.
+template <class Rows>
+auto* row_of(Rows& rows, std::size_t row, std::size_t width) {
+  return rows.data()->values.data() + row * width;
 }
 
 }  // namespace
@@ -36,7 +52,7 @@ void EntrySums::add(const ArrivalBatch& batch, const Spreading& spreading, const
   for (std::size_t i = 0; are_apart && i < batch.sounds.size(); ++i) {
     const auto cell = Spreading::cell_of(static_cast<double>(spreading.density()) * batch.delays[i]);
     const auto begin = static_cast<std::size_t>(cell.before);
-    add_near(one_of(batch, i), spreading, {begin, begin + spreading.width()}, entries);
+    add_near(Alone(batch, i).like(batch), spreading, {begin, begin + spreading.width()}, entries);
   }
   if (!are_apart) {
     add_near(batch, spreading, reached, entries);
@@ -45,52 +61,56 @@ void EntrySums::add(const ArrivalBatch& batch, const Spreading& spreading, const
 
 void EntrySums::add_near(const ArrivalBatch& batch, const Spreading& spreading, const ReachedEntries& reached,
                          std::span<FixedPoint> entries) {
-  const std::size_t count = reached.end - reached.begin;
-  const std::size_t turns = std::min(most_turns, batch.sounds.size());
+  const std::size_t width = spreading.width();
+  const std::size_t rows = reached.end - reached.begin - width + 1;
   for (auto* sums : {&coarse_, &fine_}) {
-    sums->assign(turns * count, 0);
+    sums->assign(padded(rows * width) / pack_size, AlignedIntegers{});
   }
-  const bool fits = spreading.width() % wide_count == 0;
-  if (batch.changes.empty()) {
-    fits ? sum<WideLanes, false>(batch, spreading, reached) : sum<Lanes4, false>(batch, spreading, reached);
+  if (width == pack_size) {
+    batch.changes.empty() ? sum<pack_size, false>(batch, spreading, reached.begin)
+                          : sum<pack_size, true>(batch, spreading, reached.begin);
   } else {
-    fits ? sum<WideLanes, true>(batch, spreading, reached) : sum<Lanes4, true>(batch, spreading, reached);
+    sum<lane_count, false>(batch, spreading, reached.begin);
   }
-  for (std::size_t turn = 0; turn < turns; ++turn) {
-    for (std::size_t i = 0; i < count; ++i) {
-      entries[reached.begin + i] += {coarse_[turn * count + i], fine_[turn * count + i]};
+  for (std::size_t row = 0; row < rows; ++row) {
+    for (std::size_t i = 0; i < width; ++i) {
+      entries[reached.begin + row + i] += {row_of(coarse_, row, width)[i], row_of(fine_, row, width)[i]};
     }
   }
 }
 
-template <class Lanes, bool with_changes>
-void EntrySums::sum(const ArrivalBatch& batch, const Spreading& spreading, const ReachedEntries& reached) {
+template <std::size_t width, bool with_changes>
+void EntrySums::sum(const ArrivalBatch& batch, const Spreading& spreading, std::size_t begin) {
+  using Lanes = std::conditional_t<width % wide_count == 0, WideLanes, Lanes4>;
   using Integers = decltype(Lanes{} < Lanes{});
   constexpr std::size_t lanes = sizeof(Lanes) / sizeof(double);
-  const std::size_t groups = spreading.width() / lanes;
-  const std::size_t count = reached.end - reached.begin;
   const Spreading::Weights weights = spreading.weights();
   const auto density = static_cast<double>(spreading.density());
   const ArrivalBatch arrivals = batch;  // a copy of its own, as that of the weights
-  std::int64_t* const coarse_sums = coarse_.data();
-  std::int64_t* const fine_sums = fine_.data();
-  const std::size_t begin = reached.begin;
-  const std::size_t last = coarse_.size() - count;
-  std::size_t first = 0;  // of the turn
-  for (std::size_t i = 0; i < arrivals.sounds.size(); ++i) {
-    const Spreading::ArrivalCell cell = Spreading::cell_of(density * arrivals.delays[i]);
-    const std::size_t place = first + static_cast<std::size_t>(cell.before) - begin;
-    first = first == last ? 0 : first + count;
-    std::int64_t* coarse = coarse_sums + place;
-    std::int64_t* fine = fine_sums + place;
-    for (std::size_t group = 0; group < groups; ++group) {
-      Lanes taps = arrivals.sounds[i] * weights.sound<Lanes>(cell, group);
-      if constexpr (with_changes) {
-        taps += arrivals.changes[i] * weights.change<Lanes>(cell, group);
+  std::int64_t* const coarse_sums = row_of(coarse_, 0, width);
+  std::int64_t* const fine_sums = row_of(fine_, 0, width);
+  for (std::size_t i = 0; i < arrivals.sounds.size(); i += lane_count) {
+    const Spreading::ArrivalCells cells(density * load(&arrivals.delays[i]));
+    Spreading::Weights::Factors factors;
+    if constexpr (with_changes) {
+      factors = weights.factors(cells, load(&arrivals.sounds[i]), load(&arrivals.changes[i]));
+    }
+    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+      const Spreading::ArrivalCell cell = cells[lane];
+      const std::size_t place = (static_cast<std::size_t>(cell.before) - begin) * width;
+      for (std::size_t group = 0; group < width / lanes; ++group) {
+        Lanes taps;
+        if constexpr (with_changes) {
+          taps = weights.sum<Lanes>(cell, group, factors, lane);
+        } else {
+          taps = arrivals.sounds[i + lane] * weights.sound<Lanes>(cell, group);
+        }
+        const Cut<Integers, Lanes> cut(taps);
+        std::int64_t* const coarse = coarse_sums + place + lanes * group;
+        std::int64_t* const fine = fine_sums + place + lanes * group;
+        put(load<Integers>(coarse) + cut.coarse, coarse);
+        put(load<Integers>(fine) + cut.fine, fine);
       }
-      const Cut<Integers, Lanes> cut(taps);
-      put(load<Integers>(coarse + lanes * group) + cut.coarse, coarse + lanes * group);
-      put(load<Integers>(fine + lanes * group) + cut.fine, fine + lanes * group);
     }
   }
 }

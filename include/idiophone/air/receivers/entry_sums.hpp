@@ -1,6 +1,7 @@
 #pragma once
 // Sums of many sounds, each spread over the entries around its arrival.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -27,23 +28,28 @@ struct ReachedEntries {
 /// Adds each tap as a whole number, so no sum depends on the order.
 class EntrySums {
  public:
+  /// @param batch    a multiple of 4
   /// @param reached  by the batch
   /// @param entries  from entry 0 on
   void add(const ArrivalBatch& batch, const Spreading& spreading, const ReachedEntries& reached,
            std::span<FixedPoint> entries);
 
  private:
-  /// Sums of the reached entries that take turns: a processor waits where it reads what it wrote a moment ago.
-  static constexpr std::size_t most_turns = 4;
-
   /// Of sounds that mostly reach the same entries.
   void add_near(const ArrivalBatch& batch, const Spreading& spreading, const ReachedEntries& reached,
                 std::span<FixedPoint> entries);
   /// The only code that rounds taps, so that they have the same bits in any batch.
-  template <class Lanes, bool with_changes>
-  void sum(const ArrivalBatch& batch, const Spreading& spreading, const ReachedEntries& reached);
+  template <std::size_t width, bool with_changes>
+  void sum(const ArrivalBatch& batch, const Spreading& spreading, std::size_t begin);
 
-  std::vector<std::int64_t> coarse_, fine_;  // [turns][reached entries], kept for their memory
+  /// Whole numbers in one cache line.
+  struct alignas(pack_size * sizeof(std::int64_t)) AlignedIntegers {
+    std::array<std::int64_t, pack_size> values;
+  };
+
+  // Sums of the taps of arrivals in the same entry, a row of [width] for each such entry: rows that overlapped would
+  // make the processor wait. Kept for their memory.
+  std::vector<AlignedIntegers> coarse_, fine_;
 };
 
 }  // namespace idiophone::receivers
