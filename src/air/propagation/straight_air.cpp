@@ -50,6 +50,14 @@ LineOfSight::Options sight_options(const scene::Acoustics& acoustics, const Ears
   return options;
 }
 
+/// Whether anything can stand between a triangle and a receiver: no body hides its own triangles where it is
+/// transparent to itself.
+bool can_be_hidden(const propagation::AudibleSurface& surface, const LineOfSight::Options& sight) {
+  const std::size_t bodies = surface.first_triangle.size() - 1;
+  return bodies > 1 || sight.self_occlusion == radiation::SelfOcclusion::included || sight.edges.solids ||
+         !surface.obstacles.empty() || !surface.half_spaces.empty() || !sight.screens.empty();
+}
+
 /// Where the paths end that visibility is found for, m.
 std::vector<Vector3> ends(const Ears& ears, const LineOfSight& sight, std::int64_t sample) {
   if (!sight.has(1)) {
@@ -79,7 +87,10 @@ StraightAir::StraightAir(const scene::Acoustics& acoustics, const propagation::A
     ears_.attach(*frames_);
   }
   if (acoustics.radiation.visibility) {
-    line_of_sight_.emplace(surface, sight_options(acoustics, ears_), communicator_);
+    const LineOfSight::Options options = sight_options(acoustics, ears_);
+    if (can_be_hidden(surface, options)) {
+      line_of_sight_.emplace(surface, options, communicator_);
+    }
   }
 }
 

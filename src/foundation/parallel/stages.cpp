@@ -3,12 +3,16 @@
 #include <numeric>
 
 #include "idiophone/foundation/parallel/clock.hpp"
+#include "idiophone/foundation/parallel/petsc.hpp"
 
 namespace idiophone::parallel {
 
 Stages::Stages() {
-  for (std::size_t stage = 0; stage < stage_count; ++stage) {
-    PetscLogStageRegister(stage_names[stage], &log_stages_[stage]);
+  PetscBool logs = PETSC_FALSE;
+  petsc(PetscOptionsHasName(nullptr, nullptr, "-log_view", &logs));
+  is_logging_ = logs == PETSC_TRUE;
+  for (std::size_t stage = 0; stage < stage_count && is_logging_; ++stage) {
+    petsc(PetscLogStageRegister(stage_names[stage], &log_stages_[stage]));
   }
 }
 
@@ -17,13 +21,17 @@ double Stages::total() const {
 }
 
 Stages::Scope::Scope(Stages& stages, Stage stage)
-    : seconds_(stages.seconds_[static_cast<std::size_t>(stage)]), start_(wall_time()) {
-  PetscLogStagePush(stages.log_stages_[static_cast<std::size_t>(stage)]);
+    : seconds_(stages.seconds_[static_cast<std::size_t>(stage)]), is_logging_(stages.is_logging_), start_(wall_time()) {
+  if (is_logging_) {
+    PetscLogStagePush(stages.log_stages_[static_cast<std::size_t>(stage)]);
+  }
 }
 
 Stages::Scope::~Scope() {
   seconds_ += wall_time() - start_;
-  PetscLogStagePop();
+  if (is_logging_) {
+    PetscLogStagePop();
+  }
 }
 
 }  // namespace idiophone::parallel

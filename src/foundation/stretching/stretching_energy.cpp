@@ -2,10 +2,36 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 
 #include "stretching_order.hpp"
 
 namespace idiophone::stretching {
+
+namespace {
+
+using Doubles4 = double __attribute__((vector_size(4 * sizeof(double))));
+using Doubles8 = double __attribute__((vector_size(8 * sizeof(double))));
+
+/// In double precision, halves of the lanes onto each other: several such sums are computed at once.
+template <class Lanes>
+double sum_of_halves(const Lanes& lanes) {
+  constexpr std::size_t count = sizeof(Lanes) / sizeof(lanes[0]);
+  if constexpr (count == 16) {
+    return sum_of_halves(
+        __builtin_convertvector(__builtin_shufflevector(lanes, lanes, 0, 1, 2, 3, 4, 5, 6, 7), Doubles8) +
+        __builtin_convertvector(__builtin_shufflevector(lanes, lanes, 8, 9, 10, 11, 12, 13, 14, 15), Doubles8));
+  } else if constexpr (count == 8) {
+    return sum_of_halves(__builtin_convertvector(__builtin_shufflevector(lanes, lanes, 0, 1, 2, 3), Doubles4) +
+                         __builtin_convertvector(__builtin_shufflevector(lanes, lanes, 4, 5, 6, 7), Doubles4));
+  } else {
+    static_assert(count == 4);
+    return (static_cast<double>(lanes[0]) + static_cast<double>(lanes[2])) +
+           (static_cast<double>(lanes[1]) + static_cast<double>(lanes[3]));
+  }
+}
+
+}  // namespace
 
 StretchingEnergy::Variables::Variables(std::size_t count, std::size_t blocks)
     : values((count + numbers_in_pack - 1) / numbers_in_pack * numbers_in_pack), slopes(values.size()) {
@@ -40,7 +66,7 @@ StretchingEnergy::TermSums StretchingEnergy::Variables::sums(std::size_t block) 
     }
   }
   TermSums of_terms;
-  std::ranges::transform(sums, of_terms.begin(), sum_of_lanes<Pack>);
+  std::ranges::transform(sums, of_terms.begin(), sum_of_halves<Pack>);
   return of_terms;
 }
 
@@ -69,6 +95,10 @@ StretchingEnergy::StretchingEnergy(std::span<const double> linear, std::span<con
       products_(pairs_.size(), order.terms.size() / terms_in_block + 1),
       from_products_(places_.values.size()),
       slope_matrix_(modes * places_.values.size()) {
+  const auto width = static_cast<std::uint32_t>(from_products_.size());
+  std::ranges::transform(pairs_, std::back_inserter(matrix_places_), [width](const ModePair& pair) {
+    return ModePair{pair.first * width + pair.second, pair.second * width + pair.first};
+  });
   for (std::size_t first = 0; first < order.terms.size(); first += terms_in_block) {
     std::array<std::vector<float>, terms_in_block> of_places, of_products;
     for (std::size_t t = 0; t < terms_in_block && first + t < order.terms.size(); ++t) {
@@ -111,21 +141,22 @@ double StretchingEnergy::at(std::span<const float> places, float bend, std::span
 
 /// V changes by the sum over pairs of slope d(q_i q_j), the product of a symmetric matrix with q.
 void StretchingEnergy::multiply_slopes(std::span<const float> places) {
-  const std::size_t width = from_products_.size();
-  for (std::size_t pair = 0; pair < pairs_.size(); ++pair) {
-    const auto [i, j] = pairs_[pair];
-    slope_matrix_[i * width + j] = slope_matrix_[j * width + i] = products_.slopes[pair];
+  for (std::size_t pair = 0; pair < matrix_places_.size(); ++pair) {
+    const auto [upper, lower] = matrix_places_[pair];
+    slope_matrix_[upper] = slope_matrix_[lower] = products_.slopes[pair];
   }
+  const std::size_t width = from_products_.size();
   for (std::size_t mode = 0; mode < modes_; ++mode) {
     slope_matrix_[mode * (width + 1)] *= 2;
   }
-  std::ranges::fill(from_products_, 0.0F);
-  for (std::size_t mode = 0; mode < modes_; ++mode) {
-    const float place = places[mode];
-    const float* row = &slope_matrix_[mode * width];
-    for (std::size_t other = 0; other < width; ++other) {
-      from_products_[other] += place * row[other];
+  for (std::size_t pack = 0; pack < width; pack += numbers_in_pack) {
+    Pack sum{};
+    for (std::size_t mode = 0; mode < modes_; ++mode) {
+      Pack slope;
+      std::memcpy(&slope, &slope_matrix_[mode * width + pack], sizeof(slope));
+      sum += places[mode] * slope;
     }
+    std::memcpy(&from_products_[pack], &sum, sizeof(sum));
   }
 }
 
@@ -135,7 +166,7 @@ std::size_t StretchingEnergy::operations() const {
 
 std::size_t StretchingEnergy::bytes() const {
   const std::size_t blocks = products_.coefficients.size() + places_.coefficients.size();
-  return blocks * (sizeof(Block) + sizeof(std::size_t)) + pairs_.size() * (sizeof(ModePair) + 2 * sizeof(float)) +
+  return blocks * (sizeof(Block) + sizeof(std::size_t)) + pairs_.size() * (2 * sizeof(ModePair) + 2 * sizeof(float)) +
          slope_matrix_.size() * sizeof(float);
 }
 

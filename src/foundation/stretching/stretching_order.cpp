@@ -11,8 +11,8 @@ using Flags = std::vector<char>;
 
 std::vector<ModePair> all_pairs(std::size_t modes) {
   std::vector<ModePair> pairs;
-  for (std::size_t i = 0; i < modes; ++i) {
-    for (std::size_t j = i; j < modes; ++j) {
+  for (std::uint32_t i = 0; i < modes; ++i) {
+    for (std::uint32_t j = i; j < modes; ++j) {
       pairs.push_back({i, j});
     }
   }

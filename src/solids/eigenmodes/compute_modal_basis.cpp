@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 
 #include "damped_mode.hpp"
 #include "fewest_terms.hpp"
@@ -67,6 +68,16 @@ modal_bodies::ModalBasis basis_of(const Modes& found, const motion::Dynamics& dy
     basis.shapes.insert(basis.shapes.end(), mode.shape.begin(), mode.shape.end());
   }
   return basis;
+}
+
+/// Errors name a place in the deck.
+template <class Work>
+auto with_place(const deck::Location& where, const Work& work) {
+  try {
+    return work();
+  } catch (const std::runtime_error& error) {
+    throw deck::DeckError(where, error.what());
+  }
 }
 
 void check(const Modes& found, const scene::Body& body, const deck::Location& where) {
@@ -133,13 +144,9 @@ modal_bodies::ModalBasis modal_basis(const scene::Solids& solids, std::size_t bo
   options.count = model.count.value_or(options.count);
   options.up_to = model.up_to;
   options.align_double_modes = model.stretching_tolerance.has_value();
-  const Operators operators(alone, part, attachments, MassMatrix::lumped, MPI_COMM_SELF);
-  Modes found;
-  try {
-    found = find_modes(alone, part, operators, options, MPI_COMM_SELF);
-  } catch (const std::runtime_error& error) {
-    throw deck::DeckError(model.where, error.what());
-  }
+  const Operators operators =
+      with_place(model.where, [&] { return Operators(alone, part, attachments, options.mass, MPI_COMM_SELF); });
+  Modes found = with_place(model.where, [&] { return find_modes(alone, part, operators, options, MPI_COMM_SELF); });
   check(found, solids.bodies[body], model.where);
   const std::size_t own = found.modes.size();
   if (joined != nullptr) {

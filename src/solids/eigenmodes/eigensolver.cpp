@@ -141,13 +141,27 @@ double below_the_last(const std::vector<Eigenpair>& pairs) {
   return (1 - apart / 2) * last->value;
 }
 
+/// How many eigenpairs there should be, below what is known or just below the last one.
+/// @param rigid  number of rigid motions
+/// @param pairs  found so far, ascending
+EigenpairCount complete_count(const EigenProblem& problem, std::size_t rigid, const std::vector<Eigenpair>& pairs,
+                              const EigenpairCount& wanted) {
+  if (wanted.below && std::ssize(pairs) == wanted.count) {
+    return wanted;
+  }
+  const double bound = below_the_last(pairs);
+  return {static_cast<int>(eigenvalues_below(problem, bound)) - static_cast<int>(rigid), bound};
+}
+
 /// Searches for what is missing until there are as many eigenpairs below a bound as there should be.
 /// @param known  rigid motions
 /// @param pairs  found so far; sorted at the end
-void complete(const EigenProblem& problem, Known& known, std::vector<Eigenpair>& pairs, double shift) {
+/// @param all    how many there should be
+void complete(const EigenProblem& problem, Known& known, std::vector<Eigenpair>& pairs, double shift,
+              const EigenpairCount& all) {
   constexpr int most_searches = 20;
-  const double bound = below_the_last(pairs);
-  const auto wanted = eigenvalues_below(problem, bound) - static_cast<PetscInt>(known.size());
+  const auto [wanted, below] = all;
+  const double bound = below.value();
   std::size_t known_pairs = 0;
   for (int searches = 0;; ++searches) {
     const auto found = std::ranges::count_if(pairs, [&](const Eigenpair& pair) { return pair.value < bound; });
@@ -161,7 +175,7 @@ void complete(const EigenProblem& problem, Known& known, std::vector<Eigenpair>&
     for (; known_pairs < pairs.size(); ++known_pairs) {
       known.push_back(problem.restricted(pairs[known_pairs].vector));
     }
-    std::ranges::move(search(problem, known, static_cast<int>(wanted - found), shift, {}), std::back_inserter(pairs));
+    std::ranges::move(search(problem, known, wanted - static_cast<int>(found), shift, {}), std::back_inserter(pairs));
   }
   std::ranges::sort(pairs, {}, &Eigenpair::value);
 }
@@ -169,17 +183,17 @@ void complete(const EigenProblem& problem, Known& known, std::vector<Eigenpair>&
 }  // namespace
 
 std::vector<Eigenpair> lowest_eigenpairs(const EigenProblem& problem,
-                                         const std::vector<std::vector<double>>& rigid_motions, int count, double shift,
-                                         const PartWatch& watch) {
+                                         const std::vector<std::vector<double>>& rigid_motions,
+                                         const EigenpairCount& wanted, double shift, const PartWatch& watch) {
   Known known;
   for (const auto& motion : rigid_motions) {
     known.push_back(problem.restricted(motion));
   }
-  std::vector<Eigenpair> pairs = search(problem, known, count, shift, watch);
+  std::vector<Eigenpair> pairs = search(problem, known, wanted.count, shift, watch);
   const std::size_t found = pairs.size();
   std::ranges::sort(pairs, {}, &Eigenpair::value);
   check_rigid(problem, known, pairs.front().value);
-  complete(problem, known, pairs, shift);
+  complete(problem, known, pairs, shift, complete_count(problem, known.size(), pairs, wanted));
   pairs.resize(found);
   return pairs;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // SLEPc's Krylov-Schur, shifted and inverted by MUMPS's parallel Cholesky factors.
 
+#include <optional>
 #include <vector>
 
 #include "eigen_problem.hpp"
@@ -14,12 +15,19 @@ struct Eigenpair {
   std::vector<double> vector;  ///< a field at the owned nodes, x^T M x = 1
 };
 
+/// How many eigenpairs are wanted beside the rigid motions.
+struct EigenpairCount {
+  int count = 0;
+  std::optional<double> below = std::nullopt;  ///< (rad/s)^2: where it is known that so many are below it
+};
+
 /// The lowest eigenpairs beside the rigid motions, ascending. Collective.
 /// @param shift  above zero or, without rigid motions, zero; the search begins at -shift, (rad/s)^2
 /// @param watch  of the search; if it ends that, there are fewer eigenpairs, the lowest ones
 /// @throws std::runtime_error where fewer are found, one is wrong, or the rigid motions are not without strain
 [[nodiscard]] std::vector<Eigenpair> lowest_eigenpairs(const EigenProblem& problem,
-                                                       const std::vector<std::vector<double>>& rigid_motions, int count,
-                                                       double shift, const PartWatch& watch = {});
+                                                       const std::vector<std::vector<double>>& rigid_motions,
+                                                       const EigenpairCount& wanted, double shift,
+                                                       const PartWatch& watch = {});
 
 }  // namespace idiophone::eigenmodes

@@ -85,7 +85,7 @@ std::vector<Eigenpair> wanted_eigenpairs(const PlaneProblem& problem, const std:
     throw std::runtime_error(
         fmt::format("the {} has no more than {} modes on this mesh, not {}", body, problem.size() - rigid, count));
   }
-  return lowest_eigenpairs(problem, rigid_motions, static_cast<int>(count), shift);
+  return lowest_eigenpairs(problem, rigid_motions, {static_cast<int>(count)}, shift);
 }
 
 double frequency_of(double eigenvalue) {

@@ -14,7 +14,7 @@ inline constexpr std::array<const char*, stage_count> stage_names = {"motion",  
 
 class Stages {
  public:
-  /// Registers the stages with PETSc.
+  /// Registers the stages with PETSc where its option -log_view asks for them: they take time.
   Stages();
 
   /// Seconds spent in a stage on this rank so far.
@@ -37,11 +37,13 @@ class Stages {
 
    private:
     double& seconds_;
+    bool is_logging_;
     double start_;
   };
 
  private:
   std::array<double, stage_count> seconds_ = {};
+  bool is_logging_ = false;
   std::array<PetscLogStage, stage_count> log_stages_ = {};
 };
 

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -13,7 +14,7 @@ namespace idiophone::stretching {
 
 /// Two modes, or twice the same.
 struct ModePair {
-  std::size_t first = 0, second = 0;
+  std::uint32_t first = 0, second = 0;
 };
 
 struct StretchingOrder;
@@ -74,8 +75,9 @@ class StretchingEnergy {
   std::vector<ModePair> pairs_;  // in the order of their products
   Variables places_;
   Variables products_;
-  std::vector<float> from_products_;  // [modes, and zeros up to whole packs] of the gradient
-  std::vector<float> slope_matrix_;   // [modes x the same] slopes of the products of two places
+  std::vector<float> from_products_;     // [modes, and zeros up to whole packs] of the gradient
+  std::vector<ModePair> matrix_places_;  // [pairs] of the slope matrix: of both orders of a pair
+  std::vector<float> slope_matrix_;      // [modes x the same] slopes of the products of two places
 };
 
 }  // namespace idiophone::stretching
