@@ -2,6 +2,8 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "idiophone/foundation/element/reference.hpp"
@@ -22,16 +24,36 @@ Eigen::MatrixXd at_nodes(const Eigen::Ref<const Eigen::MatrixXd>& fields, std::s
   return values;
 }
 
-/// What two modes together add to 1/2 (grad u)^T grad u, half for each order of them; shears count twice.
-Eigen::Vector<double, 6> strain_of_pair(const Eigen::Ref<const Eigen::Matrix3d, 0, Eigen::OuterStride<>>& one,
-                                        const Eigen::Ref<const Eigen::Matrix3d, 0, Eigen::OuterStride<>>& other) {
-  const Eigen::Matrix3d product = one.transpose() * other / 2;
-  Eigen::Vector<double, 6> strain;
-  for (int c = 0; c < 6; ++c) {
-    const auto [i, j] = direction_pairs[c];
-    strain[c] = c < 3 ? product(i, j) : product(i, j) + product(j, i);
+/// [k][j] [modes x points] du_k/dX_j of modes.
+/// @param gradients  [3 x modes, 3 x points]
+std::array<std::array<Eigen::MatrixXd, 3>, 3> components(const Eigen::MatrixXd& gradients) {
+  std::array<std::array<Eigen::MatrixXd, 3>, 3> parts;
+  for (int k = 0; k < 3; ++k) {
+    for (int j = 0; j < 3; ++j) {
+      parts[k][j] = gradients(Eigen::seqN(k, gradients.rows() / 3, 3), Eigen::seqN(j, gradients.cols() / 3, 3));
+    }
   }
-  return strain;
+  return parts;
+}
+
+/// What a mode and each mode up to it add to 1/2 (grad u)^T grad u together, half for each order of the two; shears
+/// count twice. [mode + 1, 6 x points]
+/// @param gradients  as of components()
+void find_pairs(const std::array<std::array<Eigen::MatrixXd, 3>, 3>& gradients, Eigen::Index mode,
+                Eigen::Ref<Eigen::MatrixXd> pairs) {
+  for (Eigen::Index p = 0; p < gradients[0][0].cols(); ++p) {
+    const auto product = [&](int i, int j) {
+      const auto term = [&](int k) { return gradients[k][i](mode, p) / 2 * gradients[k][j].col(p).head(mode + 1); };
+      return term(0) + term(1) + term(2);
+    };
+    for (int c = 0; c < 6; ++c) {
+      const auto [i, j] = direction_pairs[c];
+      pairs.col(6 * p + c) = product(i, j);
+      if (i != j) {
+        pairs.col(6 * p + c) += product(j, i);
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -131,30 +153,29 @@ Eigen::MatrixXd StrainSpace::forces(const Eigen::Ref<const Eigen::MatrixXd>& str
 
 std::vector<Eigen::MatrixXd> StrainSpace::products(const Eigen::MatrixXd& strains,
                                                    const Eigen::MatrixXd& shapes) const {
+  constexpr Eigen::Index at_once = 8;  // modes whose pairs are multiplied together
   const Eigen::Index modes = shapes.cols();
-  // [strains, modes] of each mode: the products with the modes up to it.
-  std::vector<Eigen::MatrixXd> of_modes(static_cast<std::size_t>(modes), Eigen::MatrixXd::Zero(strains.cols(), modes));
+  const auto pairs_before = [](Eigen::Index mode) { return mode * (mode + 1) / 2; };
+  Eigen::MatrixXd of_pairs = Eigen::MatrixXd::Zero(pairs_before(modes), strains.cols());
   for_each_element([&](const Element& element) {
-    const Eigen::MatrixXd gradients = at_nodes(shapes, element.nodes) * element.slopes;
+    const auto gradients = components(at_nodes(shapes, element.nodes) * element.slopes);
     const Eigen::MatrixXd stresses = stresses_of(strains, element);
-    Eigen::MatrixXd pairs(stresses.rows(), modes);  // strains of one mode with each
-    for (Eigen::Index mode = 0; mode < modes; ++mode) {
-      for (Eigen::Index other = 0; other <= mode; ++other) {
-        for (Eigen::Index p = 0; p < element.points(); ++p) {
-          pairs.col(other).segment<6>(6 * p) =
-              strain_of_pair(gradients.block<3, 3>(3 * mode, 3 * p), gradients.block<3, 3>(3 * other, 3 * p));
-        }
+    for (Eigen::Index begin = 0; begin < modes; begin += at_once) {
+      const Eigen::Index end = std::min(begin + at_once, modes);
+      const Eigen::Index first = pairs_before(begin), count = pairs_before(end) - first;
+      Eigen::MatrixXd pairs(count, stresses.rows());
+      for (Eigen::Index mode = begin; mode < end; ++mode) {
+        find_pairs(gradients, mode, pairs.middleRows(pairs_before(mode) - first, mode + 1));
       }
-      of_modes[static_cast<std::size_t>(mode)].leftCols(mode + 1).noalias() +=
-          stresses.transpose() * pairs.leftCols(mode + 1);
+      of_pairs.middleRows(first, count).noalias() += pairs * stresses;
     }
   });
   std::vector<Eigen::MatrixXd> result(static_cast<std::size_t>(strains.cols()), Eigen::MatrixXd(modes, modes));
   for (Eigen::Index n = 0; n < strains.cols(); ++n) {
     for (Eigen::Index mode = 0; mode < modes; ++mode) {
-      const auto row = of_modes[static_cast<std::size_t>(mode)].row(n).head(mode + 1);
-      result[static_cast<std::size_t>(n)].row(mode).head(mode + 1) = row;
-      result[static_cast<std::size_t>(n)].col(mode).head(mode + 1) = row.transpose();
+      const auto row = of_pairs.col(n).segment(pairs_before(mode), mode + 1);
+      result[static_cast<std::size_t>(n)].row(mode).head(mode + 1) = row.transpose();
+      result[static_cast<std::size_t>(n)].col(mode).head(mode + 1) = row;
     }
   }
   return result;
