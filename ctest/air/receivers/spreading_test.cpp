@@ -15,13 +15,30 @@ namespace {
 
 using std::numbers::pi;
 
-/// All weights of an arrival at `before` + fraction.
+/// All weights of an arrival at `before` + fraction, those of a sound times one number and of a change times another.
+std::vector<double> sums(const Spreading& spreading, double fraction, double sound, double change) {
+  const Lanes4 ones = Lanes4{} + 1.0;
+  const Spreading::ArrivalCells places(Lanes4{7.0, 7.0 + fraction, 8.0, 9.0});  // in entries
+  EXPECT_EQ(places.before[1], 7);
+  const auto factors = spreading.weights().factors(places, sound * ones, change * ones);
+  std::vector<double> all;
+  for (std::size_t group = 0; group < spreading.width() / lane_count; ++group) {
+    const Lanes4 lanes = spreading.weights().sum(places[1], group, factors, 1);
+    all.insert(all.end(), {lanes[0], lanes[1], lanes[2], lanes[3]});
+  }
+  return all;
+}
+
+/// All weights of a sound's arrival at `before` + fraction, or of a change's.
 std::vector<double> weights(const Spreading& spreading, double fraction, bool change = false) {
+  if (change) {
+    return sums(spreading, fraction, 0.0, 1.0);
+  }
   const Spreading::ArrivalCell place = Spreading::cell_of(7.0 + fraction);  // in entries
   EXPECT_EQ(place.before, 7);
   std::vector<double> all;
   for (std::size_t group = 0; group < spreading.width() / lane_count; ++group) {
-    const Lanes4 lanes = change ? spreading.weights().change(place, group) : spreading.weights().sound(place, group);
+    const Lanes4 lanes = spreading.weights().sound(place, group);
     all.insert(all.end(), {lanes[0], lanes[1], lanes[2], lanes[3]});
   }
   return all;
@@ -55,6 +72,17 @@ TEST(Spreading, PassesConstantsAndRampsExactly) {
         EXPECT_NEAR(std::abs(response(change, fraction, 0.0)), 0.0, 1e-11);
         EXPECT_NEAR(response(change, fraction, 1e-6).imag() / 1e-6, static_cast<double>(spreading->density()), 1e-5);
       }
+    }
+  }
+}
+
+TEST(Spreading, AddsASoundAndItsChange) {
+  const Spreading& spreading = Spreading::band_limited();
+  for (const double fraction : {0.0, 0.003, 0.35, 0.999}) {
+    const auto both = sums(spreading, fraction, 2.0, -3.0);
+    const auto sound = weights(spreading, fraction), change = weights(spreading, fraction, true);
+    for (std::size_t tap = 0; tap < both.size(); ++tap) {
+      EXPECT_NEAR(both[tap], 2.0 * sound[tap] - 3.0 * change[tap], 1e-13) << fraction;
     }
   }
 }
