@@ -63,12 +63,14 @@ void find_paths(const surface::Emission& emission, const ReceiverState& receiver
       towards[axis] += mach[axis] * distance;
       facing += towards[axis] * load<WideLanes>(&emission.normal[axis][first]);
     }
-    const WideLanes reciprocal = 1.0 / distance;
-    const WideLanes off_axis = dot(towards, receiver.axis) * reciprocal;
     put(distance, &paths.distance[first]);
-    put(facing * reciprocal, &paths.cosine[first]);
+    put(facing / distance, &paths.cosine[first]);
     put(distance * air.samples_per_metre(), &paths.delay[first]);
-    put(receiver.gain * (1.0 - receiver.directivity - receiver.directivity * off_axis), &paths.gain[first]);
+    WideLanes gain = WideLanes{} + receiver.gain;
+    if (receiver.directivity != 0.0) {  // a division less where all directions are alike
+      gain *= 1.0 - receiver.directivity - receiver.directivity * (dot(towards, receiver.axis) / distance);
+    }
+    put(gain, &paths.gain[first]);
   }
 }
 
