@@ -35,6 +35,23 @@ class Visibility(program.TestCase):
         self.assertEqual(abs(silent).max(), 0)
         self.assertIn("listener ear: it is inside the obstacle floor and hears nothing", said)
 
+    def test_what_stands_between_silences_bodies_that_do_not_shade_themselves(self):
+        kirchhoff = "radiation.model=kirchhoff"
+        floor = "obstacles.floor={shape: half_space, at: [0, 0, 0.7]}", "contacts.bump.between=[bar, floor]"
+        silent, _ = self.sound("shadow", kirchhoff, *floor, "contacts.bump.stiffness=1")
+        self.assertEqual(abs(silent).max(), 0)
+        faded, _ = self.sound("shadow", kirchhoff, "radiation.visibility.rate=200")
+        free, _ = self.sound("shadow", kirchhoff, "radiation.visibility=off")
+        board = slice(int(0.036 * RATE), int(0.045 * RATE))  # see test_a_passing_board_fades_the_sound_out_and_in
+        self.assertLess(abs(faded[board]).max(), 0.1 * abs(free[board]).max())
+
+    def test_one_body_alone_sounds_as_without(self):
+        kirchhoff = "radiation.model=kirchhoff"
+        seen, _ = self.sound("simple", kirchhoff)
+        free, _ = self.sound("simple", kirchhoff, "radiation.visibility=off")
+        self.assertGreater(abs(free).max(), 0)
+        self.assertEqual(abs(seen - free).max(), 0)
+
     def test_a_passing_board_fades_the_sound_out_and_in(self):
         interval = RATE // 200
         faded, _ = self.sound("shadow", "radiation.visibility.rate=200")
