@@ -108,6 +108,16 @@ class Report(program.TestCase):
         self.assertGreater(min(seen["images"]), 100)
         self.assertRegex(seen["modes"][0], r"^\w+ 1: [\d.]+ Hz.*, mesh error \u2212?[\d.]+ cents$")
 
+    def test_shows_modes_of_older_programs(self):
+        result = self.modes_beside("older")
+        with h5py.File(result.with_name("first_modes.h5"), "a") as file:
+            for body in file["modes"].values():
+                del body["kind"], body["kinetic_share"]
+        page = self.output / "report.html"
+        job = program.idiophone("report", result, "-o", page)
+        self.require_status(job, program.FINISHED)
+        self.assertNotIn("are left out", page.read_text())
+
     def test_leaves_out_modes_of_another_deck_or_mesh(self):
         others = {"deck": ("materials.laminate.density=1200", "materials.laminate.density has another value"),
                   "mesh": ("bodies.bar.parameters.size=0.05", "they are of another mesh")}

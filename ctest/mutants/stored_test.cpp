@@ -74,6 +74,8 @@ void make_modes(const File& file) {
                     .damping_ratios = {0.001, 0.002},
                     .decay_times = {1, 2},
                     .mesh_errors = {3, -4},
+                    .kinetic_shares = {1, 1},
+                    .kinds = {"(2, 0)", ""},
                     .shapes = {shape, shape}});
   result.flush();
 }
