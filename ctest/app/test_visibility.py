@@ -38,8 +38,11 @@ class Visibility(program.TestCase):
     def test_what_stands_between_silences_bodies_that_do_not_shade_themselves(self):
         kirchhoff = "radiation.model=kirchhoff"
         floor = "obstacles.floor={shape: half_space, at: [0, 0, 0.7]}", "contacts.bump.between=[bar, floor]"
-        silent, _ = self.sound("shadow", kirchhoff, *floor, "contacts.bump.stiffness=1")
-        self.assertEqual(abs(silent).max(), 0)
+        wall = "obstacles.wall={shape: box, at: [0, 0, 0.7], size: [4, 4, 0.1]}", "contacts.bump.between=[bar, wall]"
+        for between in (*floor, "contacts.bump.stiffness=1"), wall:
+            for bodies in (), ("bodies.board=null",):
+                silent, _ = self.sound("shadow", kirchhoff, *between, *bodies)
+                self.assertEqual(abs(silent).max(), 0, f"{between} {bodies}")
         faded, _ = self.sound("shadow", kirchhoff, "radiation.visibility.rate=200")
         free, _ = self.sound("shadow", kirchhoff, "radiation.visibility=off")
         board = slice(int(0.036 * RATE), int(0.045 * RATE))  # see test_a_passing_board_fades_the_sound_out_and_in

@@ -23,13 +23,13 @@ def arrays(path):
 
 
 def level_of_difference(base, other):
-    """How far two signals are from each other: "-120 dB" of the base's energy, "identical", or "other sizes"."""
+    """How far two signals are from each other: "-120 dB" of the base's energy, "same samples", or "other sizes"."""
     if base.shape != other.shape:
         return "other sizes"
     base, other = base.astype(float), other.astype(float)
     energy, difference = numpy.square(base).sum(), numpy.square(other - base).sum()
     if difference == 0:
-        return "identical"
+        return "same samples"
     return f"{10 * numpy.log10(difference / energy):.0f} dB" if energy > 0 else "silent before"
 
 

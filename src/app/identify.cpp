@@ -54,7 +54,7 @@ void declare(CLI::App& app, IdentifyOptions& options) {
   app.add_option("--lines", options.lines, "fit only so many lines, the lowest, and predict the others")
       ->check(CLI::Range(1, 1000000));
   app.add_option("--turn-deviation", options.turn_deviation,
-                 "degrees, standard deviation of each turn that is expected; the search begins within twice that "
+                 "degrees, expected standard deviation of each turn; the search begins within twice that "
                  "(default: 17)")
       ->check(CLI::Range(0.1, 45.0));
   add_mass(app, options.mass, "consistent, or lumped, as the motion has it");
@@ -146,8 +146,7 @@ int identify(const IdentifyOptions& options) {
   const bool has_turns =
       std::ranges::any_of(options.constants, [](const std::string& name) { return name.starts_with("turn"); });
   if (options.turn_deviation && !has_turns) {
-    throw std::runtime_error(
-        "--turn-deviation is of turns that are fitted: name them, for example --fit constants,turns");
+    throw std::runtime_error("--turn-deviation needs turns to fit, for example --fit constants,turns");
   }
   const scene::Scene scene = bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
   scene::refuse_joints(scene, "identify");

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "idiophone/scene/sections.hpp"
 #include "loss_section.hpp"
@@ -37,13 +36,11 @@ static void check_directions(Section& section, const Material& material) {
   }
 }
 
-bool is_shipped(const std::string& name) {
-  return std::ranges::find(shipped_materials(), name, &Material::name) != shipped_materials().end();
-}
-
-bool lacks_constants(Section& section) {
-  return std::ranges::none_of(std::array{"young", "poisson", "shear", "stiffness", "density"},
-                              [&section](const char* key) { return section.find(key) != nullptr; });
+/// Whether an entry changes nothing but losses or expansion of a material that comes with the program.
+static bool lacks_from(const Node& node, const std::string& name) {
+  const auto changes = [](const Node& child) { return child.key == "damping" || child.key == "expansion"; };
+  return node.kind == Node::Kind::map && !node.children.empty() && std::ranges::all_of(node.children, changes) &&
+         std::ranges::find(shipped_materials(), name, &Material::name) != shipped_materials().end();
 }
 
 bool read(const Node& node, Mistakes& mistakes, Material& material) {
@@ -56,7 +53,7 @@ bool read(const Node& node, Mistakes& mistakes, Material& material) {
     material.name = name;
   }
   material.where = node.key_where;
-  if (!shipped && lacks_constants(section) && is_shipped(material.name)) {
+  if (lacks_from(node, material.name)) {
     return mistakes.add(node,
                         fmt::format("no constants; 'from: {}' takes those of the shipped material", material.name));
   }

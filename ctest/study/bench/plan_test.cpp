@@ -235,6 +235,23 @@ TEST(Plan, TriesOtherPlacesWhereTheSolvedBodyDoesNotDoWhatTheSlopesSay) {
   expect_safe(plan, 5);
 }
 
+TEST(Plan, KeepsASafeVisitWhereOtherPlacesLeaveTheModel) {
+  const CutModel half_known = [](const std::vector<Cut>& cuts) {
+    std::vector<Cut> weak = cuts;
+    for (Cut& cut : weak) {
+      if (cut.place >= 0) {
+        throw OutsideOfModel("a place that is not known");
+      }
+      cut.depth *= 0.05;
+    }
+    return straight(bar())(weak);
+  };
+  const Partials partials{Eigen::Vector2d(60, 15), Eigen::Vector2d(0.5, 0.5), false};
+  const Plan plan = plan_cuts(half_known, both_tools, partials, {});
+  ASSERT_EQ(plan.verdict, Verdict::cut);
+  EXPECT_LT(plan.visits.front().cuts.front().place, 0);
+}
+
 // No cut by the doubted tool is allowed, so it is the solved body that refuses the cuts.
 TEST(Plan, RemembersThatTheSolvedBodyRefusedCutsOfTheFirstTools) {
   std::vector<Tool> tools = both_tools;

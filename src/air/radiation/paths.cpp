@@ -67,7 +67,7 @@ void find_paths(const surface::Emission& emission, const ReceiverState& receiver
     put(facing / distance, &paths.cosine[first]);
     put(distance * air.samples_per_metre(), &paths.delay[first]);
     WideLanes gain = WideLanes{} + receiver.gain;
-    if (receiver.directivity != 0.0) {  // a division less where all directions are alike
+    if (receiver.directivity != 0.0) {  // where all directions are alike, there is no division
       gain *= 1.0 - receiver.directivity - receiver.directivity * (dot(towards, receiver.axis) / distance);
     }
     put(gain, &paths.gain[first]);

@@ -128,7 +128,7 @@ void Ear::add_input(std::int64_t filter, radiation::Arrivals& input, std::int64_
   }
   const std::size_t padding = (lane_count - input.sound.size() % lane_count) % lane_count;
   input.sound.resize(input.sound.size() + padding);
-  input.delay.resize(input.sound.size());
+  input.delay.resize(input.sound.size(), input.delay.back());  // as the others, so that they reach the same entries
   input.change.resize(with_changes ? input.sound.size() : 0);
   bank_.add(filter, sample, input);
   for (auto* values : {&input.sound, &input.change, &input.delay}) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <span>
+#include <type_traits>
 
 #include "idiophone/foundation/lanes.hpp"
 
@@ -19,8 +21,8 @@ struct Alone {
     delays.fill(batch.delays[i]);
   }
 
-  [[nodiscard]] ArrivalBatch like(const ArrivalBatch& batch) const {
-    return {sounds, batch.changes.empty() ? batch.changes : changes, delays};
+  [[nodiscard]] ArrivalBatch batch(bool with_changes) const {
+    return {sounds, with_changes ? std::span<const double>(changes) : std::span<const double>(), delays};
   }
 };
 
@@ -52,13 +54,14 @@ void EntrySums::add(const ArrivalBatch& batch, const Spreading& spreading, const
   for (std::size_t i = 0; are_apart && i < batch.sounds.size(); ++i) {
     const auto cell = Spreading::cell_of(static_cast<double>(spreading.density()) * batch.delays[i]);
     const auto begin = static_cast<std::size_t>(cell.before);
-    add_near(Alone(batch, i).like(batch), spreading, {begin, begin + spreading.width()}, entries);
+    add_near<1>(Alone(batch, i).batch(!batch.changes.empty()), spreading, {begin, begin + spreading.width()}, entries);
   }
   if (!are_apart) {
-    add_near(batch, spreading, reached, entries);
+    add_near<lane_count>(batch, spreading, reached, entries);
   }
 }
 
+template <std::size_t used>
 void EntrySums::add_near(const ArrivalBatch& batch, const Spreading& spreading, const ReachedEntries& reached,
                          std::span<FixedPoint> entries) {
   const std::size_t width = spreading.width();
@@ -67,10 +70,10 @@ void EntrySums::add_near(const ArrivalBatch& batch, const Spreading& spreading, 
     sums->assign(padded(rows * width) / pack_size, AlignedIntegers{});
   }
   if (width == pack_size) {
-    batch.changes.empty() ? sum<pack_size, false>(batch, spreading, reached.begin)
-                          : sum<pack_size, true>(batch, spreading, reached.begin);
+    batch.changes.empty() ? sum<pack_size, false, used>(batch, spreading, reached.begin)
+                          : sum<pack_size, true, used>(batch, spreading, reached.begin);
   } else {
-    sum<lane_count, false>(batch, spreading, reached.begin);
+    sum<lane_count, false, used>(batch, spreading, reached.begin);
   }
   for (std::size_t row = 0; row < rows; ++row) {
     for (std::size_t i = 0; i < width; ++i) {
@@ -79,7 +82,7 @@ void EntrySums::add_near(const ArrivalBatch& batch, const Spreading& spreading, 
   }
 }
 
-template <std::size_t width, bool with_changes>
+template <std::size_t width, bool with_changes, std::size_t used>
 void EntrySums::sum(const ArrivalBatch& batch, const Spreading& spreading, std::size_t begin) {
   using Lanes = std::conditional_t<width % wide_count == 0, WideLanes, Lanes4>;
   using Integers = decltype(Lanes{} < Lanes{});
@@ -95,7 +98,7 @@ void EntrySums::sum(const ArrivalBatch& batch, const Spreading& spreading, std::
     if constexpr (with_changes) {
       factors = weights.factors(cells, load(&arrivals.sounds[i]), load(&arrivals.changes[i]));
     }
-    for (std::size_t lane = 0; lane < lane_count; ++lane) {
+    for (std::size_t lane = 0; lane < used; ++lane) {
       const Spreading::ArrivalCell cell = cells[lane];
       const std::size_t place = (static_cast<std::size_t>(cell.before) - begin) * width;
       for (std::size_t group = 0; group < width / lanes; ++group) {

@@ -3,35 +3,11 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
+#include <stdexcept>
 
 #include "stretching_order.hpp"
 
 namespace idiophone::stretching {
-
-namespace {
-
-using Doubles4 = double __attribute__((vector_size(4 * sizeof(double))));
-using Doubles8 = double __attribute__((vector_size(8 * sizeof(double))));
-
-/// In double precision, halves of the lanes onto each other: several such sums are computed at once.
-template <class Lanes>
-double sum_of_halves(const Lanes& lanes) {
-  constexpr std::size_t count = sizeof(Lanes) / sizeof(lanes[0]);
-  if constexpr (count == 16) {
-    return sum_of_halves(
-        __builtin_convertvector(__builtin_shufflevector(lanes, lanes, 0, 1, 2, 3, 4, 5, 6, 7), Doubles8) +
-        __builtin_convertvector(__builtin_shufflevector(lanes, lanes, 8, 9, 10, 11, 12, 13, 14, 15), Doubles8));
-  } else if constexpr (count == 8) {
-    return sum_of_halves(__builtin_convertvector(__builtin_shufflevector(lanes, lanes, 0, 1, 2, 3), Doubles4) +
-                         __builtin_convertvector(__builtin_shufflevector(lanes, lanes, 4, 5, 6, 7), Doubles4));
-  } else {
-    static_assert(count == 4);
-    return (static_cast<double>(lanes[0]) + static_cast<double>(lanes[2])) +
-           (static_cast<double>(lanes[1]) + static_cast<double>(lanes[3]));
-  }
-}
-
-}  // namespace
 
 StretchingEnergy::Variables::Variables(std::size_t count, std::size_t blocks)
     : values((count + numbers_in_pack - 1) / numbers_in_pack * numbers_in_pack), slopes(values.size()) {
@@ -66,7 +42,7 @@ StretchingEnergy::TermSums StretchingEnergy::Variables::sums(std::size_t block) 
     }
   }
   TermSums of_terms;
-  std::ranges::transform(sums, of_terms.begin(), sum_of_halves<Pack>);
+  std::ranges::transform(sums, of_terms.begin(), pairwise_sum_of_lanes<Pack>);
   return of_terms;
 }
 
@@ -95,6 +71,9 @@ StretchingEnergy::StretchingEnergy(std::span<const double> linear, std::span<con
       products_(pairs_.size(), order.terms.size() / terms_in_block + 1),
       from_products_(places_.values.size()),
       slope_matrix_(modes * places_.values.size()) {
+  if (modes > 65000) {
+    throw std::length_error("more than 65 000 modes with large amplitudes");  // their pairs have 32-bit numbers
+  }
   const auto width = static_cast<std::uint32_t>(from_products_.size());
   std::ranges::transform(pairs_, std::back_inserter(matrix_places_), [width](const ModePair& pair) {
     return ModePair{pair.first * width + pair.second, pair.second * width + pair.first};

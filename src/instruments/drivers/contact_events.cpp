@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "contact_patch.hpp"
 #include "idiophone/foundation/deck/tree.hpp"
 #include "idiophone/instruments/drivers/motion_drivers.hpp"
+#include "idiophone/run/results/contact_spread.hpp"
 #include "motion_rows.hpp"
 #include "rigid_track.hpp"
 
@@ -31,11 +33,13 @@ class ContactRecord {
 
   [[nodiscard]] bool touches(std::size_t row) const { return force.vector(row) != Vector3::Zero(); }
 
-  /// Where it acts during some rows.
-  [[nodiscard]] ContactPatch patch(std::size_t begin, std::size_t end) const {
+  /// Where it acts on a body during some rows, in the coordinates of the undeformed body.
+  [[nodiscard]] ContactPatch patch(std::size_t begin, std::size_t end, const RigidTrack& track) const {
     MeanPatch mean;
     for (std::size_t row = begin; row < end; ++row) {
-      mean.add({.middle = point_.vector(row), .spread = spread(row)}, force.vector(row).norm());
+      const Eigen::Isometry3d back = track.at(static_cast<double>(row) / force.rate).inverse();
+      mean.add({.middle = back * point_.vector(row), .spread = back.linear() * spread(row) * back.linear().transpose()},
+               force.vector(row).norm());
     }
     return mean.mean();
   }
@@ -44,11 +48,8 @@ class ContactRecord {
 
  private:
   [[nodiscard]] Eigen::Matrix3d spread(std::size_t row) const {
-    if (!spread_) {
-      return Eigen::Matrix3d::Zero();
-    }
-    const double* const s = &spread_->values[spread_->width * row];
-    return Eigen::Matrix3d{{s[0], s[3], s[4]}, {s[3], s[1], s[5]}, {s[4], s[5], s[2]}};
+    return spread_ ? results::spread_of_row(std::span(spread_->values).subspan(spread_->width * row, spread_->width))
+                   : Eigen::Matrix3d::Zero();
   }
 
   VectorChannel point_;
@@ -89,19 +90,21 @@ std::vector<Touch> touches_of(const ContactRecord& contact) {
 Excitation excitation_of(const ContactRecord& contact, std::size_t begin, std::size_t end, double sign,
                          const RigidTrack& track, int rate) {
   const double middle = 0.5 * static_cast<double>(begin + end) / contact.force.rate;
-  const Eigen::Isometry3d back = track.at(middle).inverse();
-  const std::vector<Vector3> points = contact.patch(begin, end).points();
+  const Eigen::Matrix3d back = track.at(middle).linear().transpose();
+  const ContactPatch patch = contact.patch(begin, end, track);
+  const std::vector<Vector3> points = patch.points();
   const double part = 1.0 / static_cast<double>(points.size());
   Excitation excitation;
+  excitation.place = patch.middle;
   for (int axis = 0; axis < 3; ++axis) {
     std::vector<double> rows;
     for (std::size_t row = begin; row < end; ++row) {
-      rows.push_back(part * (back.linear() * contact.force.vector(row))[axis]);
+      rows.push_back(part * (back * contact.force.vector(row))[axis]);
     }
     resonators::PointForce force = force_of_rows(rows, begin, contact.force.rate, rate);
     force.direction = sign * Vector3::Unit(axis);
     for (const Vector3& point : points) {
-      force.at = back * point;
+      force.at = point;
       excitation.forces.push_back(force);
     }
   }

@@ -8,20 +8,17 @@ namespace idiophone::drivers {
 std::vector<Vector3> ContactPatch::points() const {
   constexpr double least_reach = 1e-3;  // m; modes below 20 kHz are even over less
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread);
-  std::vector<Vector3> reaches;
-  for (int k = 0; k < 3; ++k) {
-    if (axes.eigenvalues()[k] > least_reach * least_reach) {
-      reaches.emplace_back(std::sqrt(axes.eigenvalues()[k]) * axes.eigenvectors().col(k));
-    }
-  }
-  if (reaches.empty()) {
+  if (axes.eigenvalues().maxCoeff() < least_reach * least_reach) {
     return {middle};
   }
+  // The columns of the root do not depend on the choice of axes, which a round patch leaves open.
+  const Eigen::Matrix3d root =
+      axes.eigenvectors() * axes.eigenvalues().cwiseMax(0.0).cwiseSqrt().asDiagonal() * axes.eigenvectors().transpose();
   std::vector<Vector3> points;
-  const double stretch = std::sqrt(static_cast<double>(reaches.size()));  // two of 2 n points are on an axis
-  for (const Vector3& reach : reaches) {
-    points.emplace_back(middle + stretch * reach);
-    points.emplace_back(middle - stretch * reach);
+  for (int k = 0; k < 3; ++k) {
+    const Vector3 reach = std::sqrt(3.0) * root.col(k);  // a third of the points are on it
+    points.emplace_back(middle + reach);
+    points.emplace_back(middle - reach);
   }
   return points;
 }

@@ -13,9 +13,9 @@ struct ContactPatch {
   Vector3 middle = Vector3::Zero();                  ///< mean place, weighted by pressure, m
   Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();  ///< covariance of the places, likewise, m2
 
-  /// Points with the mean and the covariance of the patch, m, each of which takes an equal part of the force: two on
-  /// each axis of the covariance along which the patch reaches a millimetre or more. The middle alone for a smaller
-  /// patch.
+  /// Points that each take an equal part of the force, m: six with the mean and the covariance of the patch, which
+  /// follow the covariance without jumps. The middle alone where the standard deviation is below a millimetre in all
+  /// directions.
   [[nodiscard]] std::vector<Vector3> points() const;
 };
 

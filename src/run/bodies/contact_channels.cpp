@@ -1,10 +1,11 @@
 #include "idiophone/run/bodies/contact_channels.hpp"
 
+#include <algorithm>
 #include <array>
 #include <span>
-#include <utility>
 
 #include "idiophone/foundation/parallel/reduce.hpp"
+#include "idiophone/run/results/contact_spread.hpp"
 
 namespace idiophone::bodies {
 
@@ -26,9 +27,7 @@ const std::array<ContactChannel, 6>& contact_channels() {
       {"normal", "1", xyz, "unit vector from the partner to the first body, likewise"},
       {"slip", "m/s", xyz, "tangential velocity of the first body against the partner, likewise"},
       {"overlap", "m3", {"volume"}, "volume of the overlap, mean over the audio sample before"},
-      {"spread",
-       "m2",
-       {"xx", "yy", "zz", "xy", "xz", "yz"},
+      {"spread", "m2", results::spread_column_names(),
        "covariance of the places where it acts, mean weighted by pressure"},
   }};
   return all;
@@ -43,9 +42,7 @@ std::array<double, row_width> row(const contact::ContactMotion& motion) {
     next = std::copy(vector.begin(), vector.end(), next);
   }
   *next++ = motion.overlap;
-  for (const auto& [i, j] : std::array<std::pair<int, int>, 6>{{{0, 0}, {1, 1}, {2, 2}, {0, 1}, {0, 2}, {1, 2}}}) {
-    *next++ = motion.spread(i, j);
-  }
+  std::ranges::copy(results::spread_row(motion.spread), next);
   return row;
 }
 

@@ -53,8 +53,8 @@ void write_wav(const std::filesystem::path& path, std::span<const double> sample
       spectra::write_wav(path, samples, {settings.rate, settings.channels, sample_format(settings.format), full_scale});
   spdlog::info("{}: full scale is {:.4g} {}, the loudest sample {:.4g}", path.string(), full_scale, settings.unit,
                loudest);
-  if (loudest == 0.0) {
-    spdlog::warn("{} is silent: within its duration, the listener hears nothing", path.string());
+  if (std::ranges::all_of(samples, [](double sample) { return sample == 0.0; })) {
+    spdlog::warn("{} is silent", path.string());
   }
   if (clipped > 0) {
     spdlog::warn("{}: {} samples exceed full scale{}; raise {}", path.string(), clipped,

@@ -85,8 +85,6 @@ class Interaction {
                                      Bond& bond) const;
   [[nodiscard]] double share_of_load(const Touch& touch) const;
   void limit_stretch(const Vector3& slip, double depth, Bond& bond) const;
-  /// Sum over the touching nodes of pressure, surface and the square of the place about a point, N m2.
-  [[nodiscard]] Eigen::Matrix3d spread_about(const Vector3& point) const;
   void add_nodal_forces();
   [[nodiscard]] double energy_of_bond(const Touch& touch, const Bond& bond) const;
   void clear();

@@ -107,18 +107,6 @@ double Interaction::energy() const {
   return energy;
 }
 
-Eigen::Matrix3d Interaction::spread_about(const Vector3& point) const {
-  Eigen::Matrix3d spread = Eigen::Matrix3d::Zero();
-  for (const Side* side : sides()) {
-    for (const Index node : side->touched) {
-      const Touch& touch = side->touch[node];
-      // Places are linear in those of the nodes, so the sum of x_i times the integral of psi_i x is that of x x.
-      spread += touch.pressure * (side->position[node] - point) * (touch.moment - touch.surface * point).transpose();
-    }
-  }
-  return (spread + spread.transpose()) / 2.0;
-}
-
 ContactMotion Interaction::motion() const {
   ContactMotion motion;
   double weight = 0.0;
@@ -128,6 +116,8 @@ ContactMotion Interaction::motion() const {
       const double sign = is_with_itself() ? side->bond[node].part : side == both_[0] ? 1.0 : -1.0;
       weight += touch.pressure * touch.surface;
       motion.point += touch.pressure * touch.moment;
+      // Places are linear in those of the nodes, so the sum of x_i times the integral of psi_i x is that of x x.
+      motion.spread += touch.pressure * side->position[node] * touch.moment.transpose();
       motion.normal += sign * touch.pressure * touch.area;
       motion.slip += sign * touch.pressure * touch.slip;
       motion.force += sign * (touch.pressure * touch.area + touch.surface * touch.friction);
@@ -136,7 +126,8 @@ ContactMotion Interaction::motion() const {
   motion.overlap = overlaps_.volume();
   if (weight > 0) {
     motion.point /= weight;
-    motion.spread = spread_about(motion.point) / weight;
+    const Eigen::Matrix3d squares = (motion.spread + motion.spread.transpose()) / (2 * weight);
+    motion.spread = squares - motion.point * motion.point.transpose();
     motion.normal.normalize();
     motion.slip /= weight;
     motion.slip -= motion.slip.dot(motion.normal) * motion.normal;

@@ -198,7 +198,8 @@ class Planner {
     const auto left = [&] { return best ? best->visit.expected.norm() : errors.norm(); };
     for (int attempt = 0; attempt < most_attempts && left() > hardly * errors.norm(); ++attempt) {
       std::vector<Cut> cuts;
-      std::optional<Trial> trial = safe_trial(cuts, moves, before, errors);
+      std::optional<Trial> trial =
+          attempt > 0 ? trial_within_model(cuts, moves, before, errors) : safe_trial(cuts, moves, before, errors);
       if (trial && trial->visit.expected.norm() < left()) {
         best = std::move(trial);
       }
@@ -208,6 +209,16 @@ class Planner {
       moves = candidates_.without(cuts, moves);
     }
     return best ? std::optional(adopt(std::move(*best))) : std::nullopt;
+  }
+
+  /// As safe_trial(). None where a trial leaves the model: other places are no must.
+  std::optional<Trial> trial_within_model(std::vector<Cut>& cuts, const MatrixXd& moves, const MatrixXd& before,
+                                          const VectorXd& errors) {
+    try {
+      return safe_trial(cuts, moves, before, errors);
+    } catch (const OutsideOfModel&) {
+      return {};
+    }
   }
 
   /// Cuts that are chosen by slopes, then made deeper or less deep by slopes half-way between the body before and after

@@ -11,7 +11,7 @@ namespace idiophone::partials {
 /// Lines that were fitted.
 struct Fit {
   std::vector<Line> lines;
-  int iterations = 0;  ///< each factorizes a matrix of [2 x bins, 4 x lines]
+  int iterations = 0;  ///< refused steps, too; each solves a system of [4 x lines] equations
 };
 
 /// Finds the frequencies, dampings and amplitudes of all lines for which the sum of their spectra is nearest to the

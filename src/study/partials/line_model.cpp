@@ -160,6 +160,9 @@ bool LineModel::refit(std::size_t line) {
     members.erase(members.begin() + place);
     after.erase(after.begin() + place);
     after = fit(before, band, after);
+    if (!complete_) {
+      return true;
+    }
   }
   replace(members, after);
   give_up(std::move(wrong));

@@ -22,8 +22,8 @@ class LineModel {
   /// @return whether the fit was acceptable
   bool add(const Line& candidate);
 
-  /// Fits a line again together with its neighbours. Lines that the fit does not bear are given up: where two of them
-  /// fall on one line, neither would be determined.
+  /// Fits a line again together with its neighbours. Lines that are misfits in the new fit are given up: where two
+  /// of them fall on one line, neither would be determined.
   /// @return false if lines were given up, so that others have new numbers
   bool refit(std::size_t line);
 

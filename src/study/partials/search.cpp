@@ -25,8 +25,10 @@ class Search {
   [[nodiscard]] FoundLines found() const;
 
  private:
-  void subtract();
-  void add(const Line& candidate);
+  /// @return whether a line was added
+  bool subtract();
+  /// @return whether a line was added
+  bool add(const Line& candidate);
   void polish();
   /// See FoundLine. @param limits  of the remainder, [bins]
   [[nodiscard]] double remainder_of(const Line& line, const std::vector<double>& limits) const;
@@ -40,33 +42,33 @@ void Search::run() {
   constexpr int most_rounds = 4;
   bool more = true;
   for (int round = 0; round < most_rounds && more && model_.complete(); ++round) {
-    const std::size_t before = model_.lines().size();
     model_.remainder().forget_peaks();
-    subtract();
+    more = subtract();
     polish();
-    more = model_.lines().size() > before;
   }
 }
 
-void Search::subtract() {
+bool Search::subtract() {
   // A sound that is not a sum of damped sines has any number of peaks that no line fits.
   const std::size_t most_attempts = 4 * options_.most;
   const auto reported = [&](const Line& line) { return model_.is_reported(line); };
+  bool is_any_added = false;
   for (std::size_t attempt = 0; attempt < most_attempts && model_.complete(); ++attempt) {
     const auto peak = model_.remainder().next_peak();
     if (!peak || static_cast<std::size_t>(std::ranges::count_if(model_.lines(), reported)) >= options_.most) {
-      return;
+      break;
     }
-    add(model_.remainder().line_at(*peak));
+    is_any_added = add(model_.remainder().line_at(*peak)) || is_any_added;
   }
+  return is_any_added;
 }
 
 /// If no line fits a peak near zero frequency, it is a decay without oscillation: a line and its mirror image would
 /// grow without bound to cancel each other.
-void Search::add(const Line& candidate) {
-  if (!model_.add(candidate) && !swings(candidate)) {
-    model_.add({.frequency = 0.0, .damping = candidate.damping, .amplitude = candidate.amplitude.real()});
-  }
+bool Search::add(const Line& candidate) {
+  return model_.add(candidate) ||
+         (!swings(candidate) &&
+          model_.add({.frequency = 0.0, .damping = candidate.damping, .amplitude = candidate.amplitude.real()}));
 }
 
 /// Fits every line again together with its neighbours, until the changes are small or due to noise alone: each line was
@@ -82,6 +84,8 @@ void Search::polish() {
       const double before = line_spectrum_.bin_of(model_.lines()[j]);
       if (model_.refit(j)) {
         moved = std::max(moved, std::abs(line_spectrum_.bin_of(model_.lines()[j]) - before));
+      } else {
+        moved = std::max(moved, 1.0);  // another line has this number, and its neighbours may move
       }
     }
   }

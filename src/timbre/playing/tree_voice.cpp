@@ -74,7 +74,7 @@ void TreeVoice::excite(std::size_t /*body*/, const drivers::Excitation& excitati
   if (excitation.begins) {
     ask({.start = excitation.forces.front().start,
          .strength = excitation.strength,
-         .at = excitation.forces.front().at,
+         .at = excitation.place.value_or(excitation.forces.front().at),
          .tuning = {}});
   }
 }

@@ -36,10 +36,13 @@ class EntrySums {
 
  private:
   /// Of sounds that mostly reach the same entries.
+  /// @tparam used  as sum()
+  template <std::size_t used>
   void add_near(const ArrivalBatch& batch, const Spreading& spreading, const ReachedEntries& reached,
                 std::span<FixedPoint> entries);
   /// The only code that rounds taps, so that they have the same bits in any batch.
-  template <std::size_t width, bool with_changes>
+  /// @tparam used  of each four arrivals; the others are silent
+  template <std::size_t width, bool with_changes, std::size_t used>
   void sum(const ArrivalBatch& batch, const Spreading& spreading, std::size_t begin);
 
   /// Whole numbers in one cache line.

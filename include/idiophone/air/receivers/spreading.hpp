@@ -41,7 +41,7 @@ class Spreading {
     return -static_cast<std::int64_t>((width() / 2 - 1 + density() - 1) / density());
   }
 
-  /// Whether change() may be called.
+  /// Whether there are weights of changes, for factors() and sum().
   [[nodiscard]] bool differentiates() const { return slope_ != 0.0; }
 
   /// An arrival as an entry, a cell of the table, and the position in the cell.
@@ -58,7 +58,7 @@ class Spreading {
     return {cell >> cell_bits, static_cast<std::size_t>(cell & (cells - 1)), place - static_cast<double>(cell)};
   }
 
-  /// Four arrivals as ArrivalCell. Of all four at once is faster.
+  /// The cells of four arrivals, which are found at once.
   struct ArrivalCells {
     std::array<std::int64_t, lane_count> before, cell;
     std::array<double, lane_count> rest;

@@ -14,7 +14,7 @@ inline constexpr std::array<const char*, stage_count> stage_names = {"motion",  
 
 class Stages {
  public:
-  /// Registers the stages with PETSc where its option -log_view asks for them: they take time.
+  /// Registers the stages with PETSc if its option -log_view is given, since marking them takes time.
   Stages();
 
   /// Seconds spent in a stage on this rank so far.

@@ -2,6 +2,7 @@
 // What drivers ask for: something is done to a body, or the listener goes somewhere.
 
 #include <cstdint>
+#include <optional>
 #include <variant>
 #include <vector>
 
@@ -22,6 +23,7 @@ struct Excitation {
   std::vector<resonators::PointForce> forces{};  ///< starts in audio samples; at least one
   Strength strength{};                           ///< of all its pieces together
   bool begins = true;                            ///< false: a piece that goes on with the one before
+  std::optional<Vector3> place = {};             ///< of all forces together, m; that of the first one if empty
 };
 
 /// What feels the vibration of a body begins to touch it.
