@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
-#include <stdexcept>
 
 #include "stretching_order.hpp"
 
@@ -71,9 +70,6 @@ StretchingEnergy::StretchingEnergy(std::span<const double> linear, std::span<con
       products_(pairs_.size(), order.terms.size() / terms_in_block + 1),
       from_products_(places_.values.size()),
       slope_matrix_(modes * places_.values.size()) {
-  if (modes > 65000) {
-    throw std::length_error("more than 65 000 modes with large amplitudes");  // their pairs have 32-bit numbers
-  }
   const auto width = static_cast<std::uint32_t>(from_products_.size());
   std::ranges::transform(pairs_, std::back_inserter(matrix_places_), [width](const ModePair& pair) {
     return ModePair{pair.first * width + pair.second, pair.second * width + pair.first};

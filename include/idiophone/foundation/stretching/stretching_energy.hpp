@@ -25,8 +25,7 @@ class StretchingEnergy {
  public:
   /// @param linear     A, [terms x modes] J^1/2/(kg^1/2 m)
   /// @param quadratic  H, [terms x modes x modes] J^1/2/(kg m2), symmetric
-  /// @param modes      at least one
-  /// @throws std::length_error above 65 000 modes
+  /// @param modes      1 to 65 000: pairs have 32-bit numbers. H of so many would take 30 GB a term
   StretchingEnergy(std::span<const double> linear, std::span<const double> quadratic, std::size_t modes);
 
   [[nodiscard]] std::size_t modes() const { return modes_; }
