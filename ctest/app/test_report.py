@@ -117,6 +117,11 @@ class Report(program.TestCase):
         job = program.idiophone("report", result, "-o", page)
         self.require_status(job, program.FINISHED)
         self.assertNotIn("are left out", page.read_text())
+        with h5py.File(result.with_name("first_modes.h5"), "a") as file:
+            for body in file["modes"].values():
+                body.create_dataset("kind", (0,), h5py.string_dtype())
+        job = program.idiophone("report", result, "-o", page)
+        self.assertIn("contradict each other", job.stderr + page.read_text())
 
     def test_leaves_out_modes_of_another_deck_or_mesh(self):
         others = {"deck": ("materials.laminate.density=1200", "materials.laminate.density has another value"),

@@ -63,6 +63,19 @@ def test_plays_in_a_notebook(result):
     assert "<audio" not in result.energy._repr_html_()
 
 
+def test_has_modes_with_their_kinds_and_shares(simple, tmp_path):
+    kinds = simple.modes(count=3, estimate=False).kinds
+    simple._answer("modes", "--modes", 3, "--no-estimate", "--output-folder", tmp_path)
+    (path,) = tmp_path.glob("*_modes.h5")
+    modes = idiophone.Result(path).modes["plate"]
+    assert modes.kinds == kinds and modes.kinds[0] == "(0, 0)"
+    np.testing.assert_array_equal(modes.kinetic_share, np.ones(3))
+    with h5py.File(path, "a") as file:  # as programs wrote it before
+        del file["modes/plate/kind"], file["modes/plate/kinetic_share"]
+    modes = idiophone.Result(path).modes["plate"]
+    assert modes.kinds == [] and modes.kinetic_share is None
+
+
 def test_refuses_what_is_no_result(result, tmp_path):
     with pytest.raises(idiophone.IdiophoneError, match="there is no file"):
         idiophone.Result(tmp_path / "none.h5")

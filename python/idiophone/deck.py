@@ -116,17 +116,19 @@ class Deck:
         return modes
 
     def identify(self, measured: str | Path | dict[str, Any] | ArrayLike, body: str | None = None, fit: Sequence[str] | None = None,
-                 tolerance: float | None = None, lines: int | None = None, mass: str | None = None) -> Identification:
+                 tolerance: float | None = None, lines: int | None = None, mass: str | None = None,
+                 turn_deviation: float | None = None) -> Identification:
         """The constants of the material of a body (default: the first) from measured resonances (docs/use/identify.md).
 
         measured: frequencies in Hz; or the path of a recording or of a file of lines; or the values of such a file, e.g.
         {"mass": 0.412, "lines": [523.1, 1443.7]}. fit: names of constants, e.g. ["young"] (default: all), and of turns of the
         material's axes, e.g. ["constants", "turn_z"]. tolerance: cents between a line and its mode. lines: fit only so many, the
-        lowest. mass: "consistent" or "lumped".
+        lowest. mass: "consistent" or "lumped". turn_deviation: degrees, standard deviation of each turn that is expected.
         A fit with doubts is returned, too, with `accepted` False. Raises DeckError, ProgramError.
         """
         with _measurements(measured) as path:
-            words = program.options(measured=path, body=body, fit=fit, tolerance=tolerance, lines=lines, mass=mass)
+            words = program.options(measured=path, body=body, fit=fit, tolerance=tolerance, lines=lines, mass=mass,
+                                    turn_deviation=turn_deviation)
             return identification(self._answer("identify", *words, judges=True))
 
     def tune(self, target: str | Sequence[float | str], vary: dict[str, tuple[float, float]], body: str | None = None,

@@ -28,6 +28,7 @@ class Modes:
     rigid_motions: int         #: how many rigid motions the supports leave
     kinds: list[str] = field(default_factory=list)  #: [modes], e.g. "bending 1 along z"; empty texts for unknown ones
     bounds: FrequencyBounds | None = None  #: of the frequencies, if they were asked for
+    kinetic_share: np.ndarray | None = None  #: [modes], of the kinetic energy: 1 without joints; only of a file that has it
 
     def __len__(self) -> int:
         return len(self.frequency)

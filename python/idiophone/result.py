@@ -126,7 +126,9 @@ class Result:
             return {body: Modes(group["frequency"][()], group["damping_ratio"][()], group["decay_time"][()], group["shape"][()],
                                 self.nodes(body), self.elements(body), group["mesh_error"][()] if "mesh_error" in group else None,
                                 int(group["frequency"].attrs["rigid_motions"]),
-                                bounds=_bounds(group["bounds"]) if "bounds" in group else None)
+                                kinds=[text(kind) for kind in group["kind"]] if "kind" in group else [],
+                                bounds=_bounds(group["bounds"]) if "bounds" in group else None,
+                                kinetic_share=group["kinetic_share"][()] if "kinetic_share" in group else None)
                     for body, group in file["modes"].items()}
 
     @property

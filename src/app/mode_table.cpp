@@ -123,7 +123,7 @@ nlohmann::json to_json(const ModeTable& table) {
         {"mesh_error", table.mesh_errors.empty() ? nlohmann::json() : loop::number_or_null(table.mesh_errors[number])},
         {"cents", nlohmann::json::object()}};
     for (std::size_t b = 0; b < table.bodies.size(); ++b) {
-      one["kinetic_energy"][table.bodies[b]] = mode.kinetic_shares[b];
+      one["kinetic_share"][table.bodies[b]] = mode.kinetic_shares[b];
     }
     if (!table.air.shift.empty()) {
       one["air_shift"] = loop::number_or_null(table.air.shift[number]);

@@ -86,7 +86,7 @@ void estimate(const ModesOptions& options, const scene::Solids& solids, const st
   if (options.estimates == eigenmodes::Estimates::none) {
     return;
   }
-  if (const std::string why = eigenmodes::no_estimates(solids); !why.empty()) {
+  if (const std::string why = eigenmodes::why_no_estimates(solids); !why.empty()) {
     parallel::on_root(communicator, [&] { spdlog::info("the error of the mesh is not estimated: {}", why); });
     return;
   }

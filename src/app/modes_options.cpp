@@ -64,7 +64,7 @@ void refuse_with_joints(const ModesOptions& options, const scene::Solids& solids
       throw std::runtime_error(option + " is for a body without joints: leave it out");
     }
   }
-  if (const std::string why = eigenmodes::no_estimates(solids);
+  if (const std::string why = eigenmodes::why_no_estimates(solids);
       options.estimates == eigenmodes::Estimates::all && !why.empty()) {
     throw std::runtime_error(fmt::format("--estimate is not possible: {}. Or leave it out", why));
   }

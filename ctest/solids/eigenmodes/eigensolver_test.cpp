@@ -11,6 +11,7 @@
 #include "inertia.hpp"
 #include "operators.hpp"
 #include "ranks.hpp"
+#include "rigid_motions.hpp"
 #include "vibrating_body.hpp"
 
 namespace idiophone::eigenmodes {
@@ -78,6 +79,19 @@ TEST(Eigensolver, MissesNoModeOfACubeUpToAFrequency) {
     for (int mode = 0; mode < count; ++mode) {
       EXPECT_NEAR(found.modes[mode].frequency / (std::sqrt(all[rigid + mode]) / (2 * std::numbers::pi)), 1.0, 1e-7);
     }
+  }
+}
+
+TEST(Eigensolver, FindsAModeWithinRoundingOfTheBoundUpToWhichModesAreWanted) {
+  VibratingBody body = block(element::hex(2, 2), {0.3, 0.1, 0.1}, {6, 2, 2});
+  const double highest = body.find({.count = 3}, MPI_COMM_SELF).modes.back().frequency;
+  const double value = std::pow(2 * std::numbers::pi * highest, 2);
+  const Operators operators = operators_of(body, MPI_COMM_WORLD);
+  const auto rigid_fields = rigid_motions(body.part, operators, MPI_COMM_WORLD);
+  for (const double below : {value * (1 - 1e-9), value * (1 + 1e-9)}) {
+    const auto pairs = lowest_eigenpairs(operators, rigid_fields, {.count = 3, .below = below}, 0.01 * value);
+    ASSERT_EQ(pairs.size(), 3);
+    EXPECT_NEAR(pairs.back().value / value, 1, 1e-8);
   }
 }
 

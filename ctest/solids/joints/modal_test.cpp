@@ -208,6 +208,16 @@ TEST(JoinedModalBodies, HaveTheFrequenciesAboutTheRestUnderAPrestress) {
   EXPECT_LT(largest_error(taut_strips(scene::JointStiffness{1e12, 4e11}), lowest(4)).cents, 1e-2);
 }
 
+TEST(JoinedModalBodies, AboutARestAreDampedByALossFactorAsTheirFiniteElements) {
+  Assembly strips = taut_strips(std::nullopt);
+  const double lossless = strips.find(1).modes[0].frequency;
+  strips.scene.materials[0].damping.loss.emplace().value = 0.005;
+  EXPECT_GT(std::abs(strips.find(1).modes[0].frequency / lossless - 1), 3e-4);
+  const LargestError error = largest_error(strips, lowest(4));
+  EXPECT_LT(error.cents, 0.1);
+  EXPECT_LT(error.damping, 0.1);
+}
+
 TEST(JoinedModalBodies, HaveTheDampingOfTheirFiniteElements) {
   Assembly bar = cut_bar(scene::JointStiffness{1e13, 4e12}, 1e-6);
   bar.scene.materials[0].damping.stiffness = 1e-8;

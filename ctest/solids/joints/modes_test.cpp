@@ -158,17 +158,17 @@ TEST(JointedModes, HaveNoErrorOfTheMeshWhereTheSurfacesDoNotMeet) {
 
 TEST(JointedModes, HaveNoErrorOfTheMeshOnWashersOfBoltsOrWithElementsOfTwoKinds) {
   Assembly blocks = blocks_with_gap(0.0);
-  EXPECT_EQ(no_estimates(blocks.scene), "");
+  EXPECT_EQ(why_no_estimates(blocks.scene), "");
   scene::Joint& joint = blocks.scene.joints.front();
   joint.type = scene::JointType::bolt;
-  EXPECT_NE(no_estimates(blocks.scene).find("joints.joint is a bolt without a shank"), std::string::npos);
+  EXPECT_NE(why_no_estimates(blocks.scene).find("joints.joint is a bolt without a shank"), std::string::npos);
   joint.shank = scene::Shank{};
-  EXPECT_EQ(no_estimates(blocks.scene), "");
+  EXPECT_EQ(why_no_estimates(blocks.scene), "");
   blocks = tied_bars(element::hex(3, 2));
   blocks.scene.bodies.back().element = element::hex(4, 2);
-  EXPECT_EQ(no_estimates(blocks.scene), "");
+  EXPECT_EQ(why_no_estimates(blocks.scene), "");
   blocks.scene.bodies.back().element = element::tet10;
-  EXPECT_NE(no_estimates(blocks.scene).find("are hex, and those of 'block' tet10"), std::string::npos);
+  EXPECT_NE(why_no_estimates(blocks.scene).find("are hex, and those of 'block' tet10"), std::string::npos);
 }
 
 constexpr double wire_length = 0.65, cell = wire_length / 13, cooled = 200;  // m, m, K

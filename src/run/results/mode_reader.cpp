@@ -27,16 +27,15 @@ StoredModes read_body_modes(hid_t file, const std::string& body) {
                     .decay_times = whole_dataset(file, path("decay_time")),
                     .mesh_errors = hdf5::exists(file, path("mesh_error")) ? whole_dataset(file, path("mesh_error"))
                                                                           : std::vector<double>(),
-                    .kinds = hdf5::exists(file, path("kind")) ? hdf5::texts_in(file, path("kind"))
-                                                              : std::vector<std::string>(),  // files of older programs
+                    .kinds = {},
                     .shapes = {}};
-  if (modes.kinds.empty()) {
-    modes.kinds.resize(modes.frequencies.size());
+  if (hdf5::exists(file, path("kind"))) {
+    modes.kinds = hdf5::texts_in(file, path("kind"));
   }
   const hdf5::Dimensions shape = hdf5::shape_of(hdf5::open_dataset(file, path("shape")).id());
   const hdf5::Dimensions nodes = hdf5::shape_of(hdf5::open_dataset(file, fmt::format("/mesh/{}/nodes", body)).id());
   if (shape.size() != 3 || shape[0] != modes.frequencies.size() || nodes.empty() || shape[1] != nodes[0] ||
-      shape[2] != 3 || modes.decay_times.size() != shape[0] || modes.kinds.size() != shape[0] ||
+      shape[2] != 3 || modes.decay_times.size() != shape[0] || (modes.kinds && modes.kinds->size() != shape[0]) ||
       (!modes.mesh_errors.empty() && modes.mesh_errors.size() != shape[0])) {
     throw std::runtime_error(fmt::format("the modes and the mesh of body {} contradict each other", body));
   }

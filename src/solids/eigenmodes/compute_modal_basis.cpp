@@ -94,12 +94,38 @@ bool is_deformed(const JoinedMotion* joined) {
   return joined != nullptr && !joined->rest.empty();
 }
 
+/// What a body alone is, without its prestress.
+struct Unstressed {
+  const scene::Solids& solids;
+  const mesh::Part& part;
+  const motion::Attachments& attachments;
+  const Operators& operators;
+};
+
+/// Lets a mode be as stiff and as damped as with the stress at rest. Stress that stiffens it raises its frequency, but
+/// not what its material loses in a cycle. Where stress makes it less stiff, the neighbours hold it: it keeps its
+/// damping.
+/// @param added  to the square of its frequency by the stress, 1/s2; corrected by what its loss factor does
+void damp_at_rest(const Unstressed& body, const Mode& mode, double& decay_rate, double& added) {
+  if (added <= 0) {
+    return;
+  }
+  const double lossless = 2 * std::numbers::pi * mode.lossless_frequency, slack = 2 * std::numbers::pi * mode.frequency;
+  const Mode taut = damped_mode({.value = lossless * lossless, .vector = mode.shape}, body.solids, body.operators,
+                                body.part, MPI_COMM_SELF, added);
+  const double frequency = 2 * std::numbers::pi * taut.frequency;
+  decay_rate = taut.damping_ratio * frequency;
+  added = frequency * frequency - slack * slack;
+}
+
 /// What stress at rest does to the modes of the unstressed body.
-/// @param alone  the body with its prestress
-/// @param rest   [3 x nodes] displacements, m
-void add_rest(const scene::Solids& alone, const mesh::Part& part, const motion::Attachments& attachments,
-              const std::vector<double>& rest, modal_bodies::ModalBasis& basis) {
-  const Operators stressed(alone, part, attachments, MassMatrix::lumped, rest, MPI_COMM_SELF);
+/// @param stressed_body  the same with its prestress
+/// @param rest           [3 x nodes] displacements, m
+void add_rest(const Unstressed& body, const scene::Body& stressed_body, const std::vector<double>& rest,
+              const std::vector<Mode>& found, modal_bodies::ModalBasis& basis) {
+  scene::Solids alone = body.solids;
+  alone.bodies = {&stressed_body, 1};
+  const Operators stressed(alone, body.part, body.attachments, MassMatrix::lumped, rest, MPI_COMM_SELF);
   const auto rows = static_cast<Eigen::Index>(3 * basis.nodes()), modes = static_cast<Eigen::Index>(basis.modes());
   const auto shapes = Eigen::MatrixXd::Map(basis.shapes.data(), rows, modes);
   std::vector<solid::NodeForce> force(basis.nodes());
@@ -111,7 +137,8 @@ void add_rest(const scene::Solids& alone, const mesh::Part& part, const motion::
   const Eigen::VectorXd of_modes = shapes.transpose() * at_components;
   Eigen::MatrixXd added = shapes.transpose() * product(stressed.stiffness(), stressed, shapes);
   for (Eigen::Index mode = 0; mode < modes; ++mode) {
-    added(mode, mode) -= basis.frequencies[mode] * basis.frequencies[mode];
+    added(mode, mode) -= std::pow(2 * std::numbers::pi * found[mode].lossless_frequency, 2);
+    damp_at_rest(body, found[mode], basis.decay_rates[mode], added(mode, mode));
   }
   added = (added + added.transpose()).eval() / 2;
   basis.rest = rest;
@@ -158,9 +185,7 @@ modal_bodies::ModalBasis modal_basis(const scene::Solids& solids, std::size_t bo
   modal_bodies::ModalBasis basis = basis_of(found, operators.dynamics());
   basis.further = found.modes.size() - own;
   if (is_deformed(joined)) {
-    alone.bodies = {&stressed, 1};
-    add_rest(alone, part, attachments, joined->rest, basis);
-    alone.bodies = {&unsupported, 1};
+    add_rest({alone, part, attachments, operators}, stressed, joined->rest, found.modes, basis);
   }
   basis.mass_damping = solids.materials[unsupported.material].damping.of_all_motion();
   double mass = 0.0;

@@ -78,9 +78,10 @@ double mass_damping(const scene::Solids& solids, std::span<const double> kinetic
 /// W = w^2 - x^T S x - x^T J x, as supports' springs S and joints J strain no material, nor does the geometric
 /// stiffness of a prestress. The materials damp as damped() says; the dashpots C and the joints, with their relaxation
 /// time tau, add x^T C x + tau x^T J x to 2 zeta w. Each material has its own beta, M and share of W.
-/// @param alpha  mass-proportional damping, 1/s
-void vibrate(Mode& mode, const Eigenpair& pair, double alpha, const Operators& operators, const mesh::Part& part,
-             MPI_Comm communicator) {
+/// @param alpha      mass-proportional damping, 1/s
+/// @param of_stress  as damped_mode()
+void vibrate(Mode& mode, const Eigenpair& pair, double alpha, double of_stress, const Operators& operators,
+             const mesh::Part& part, MPI_Comm communicator) {
   std::array<double, 2> sums = {};
   for (std::size_t c = 0; c < pair.vector.size(); ++c) {
     const double square = pair.vector[c] * pair.vector[c];
@@ -101,10 +102,11 @@ void vibrate(Mode& mode, const Eigenpair& pair, double alpha, const Operators& o
        shares_of_strain(operators.dynamics(), part, pair.vector, std::max(0.0, in_materials), communicator)) {
     materials.push_back({share, relaxing, solid->stiffness_damping(region), solid->relaxation(region)});
   }
-  const DampedVibration vibration = damped(pair.value, damping, materials);
+  const double square = pair.value + of_stress;
+  const DampedVibration vibration = damped(square, damping, materials);
   const double w = vibration.angular_frequency;
   mode.frequency = w / radians;
-  mode.lossless_frequency = std::sqrt(pair.value) / radians;
+  mode.lossless_frequency = std::sqrt(square) / radians;
   mode.damping_ratio = (vibration.damping + sums[1]) / (2 * w);
   mode.decay_time = std::log(1000.0) / (decay_factor(mode.damping_ratio) * w);
 }
@@ -112,10 +114,10 @@ void vibrate(Mode& mode, const Eigenpair& pair, double alpha, const Operators& o
 }  // namespace
 
 Mode damped_mode(Eigenpair pair, const scene::Solids& solids, const Operators& operators, const mesh::Part& part,
-                 MPI_Comm communicator) {
+                 MPI_Comm communicator, double of_stress) {
   Mode mode;
   mode.kinetic_shares = kinetic_shares(part, operators.dynamics(), pair.vector, communicator);
-  vibrate(mode, pair, mass_damping(solids, mode.kinetic_shares), operators, part, communicator);
+  vibrate(mode, pair, mass_damping(solids, mode.kinetic_shares), of_stress, operators, part, communicator);
   mode.shape = std::move(pair.vector);
   orient(mode.shape, part, communicator);
   return mode;

@@ -146,7 +146,7 @@ double below_the_last(const std::vector<Eigenpair>& pairs) {
 /// @param pairs  found so far, ascending
 EigenpairCount complete_count(const EigenProblem& problem, std::size_t rigid, const std::vector<Eigenpair>& pairs,
                               const EigenpairCount& wanted) {
-  if (wanted.below && std::ssize(pairs) == wanted.count) {
+  if (wanted.below && std::ssize(pairs) == wanted.count && pairs.back().value < *wanted.below) {
     return wanted;
   }
   const double bound = below_the_last(pairs);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 #include <utility>
 
 #include "idiophone/foundation/deck/location.hpp"
@@ -65,6 +66,9 @@ std::size_t quick_modes(const scene::Solids& solids, const std::vector<mesh::Mes
   return static_cast<std::size_t>(most_entries / entries);
 }
 
+constexpr std::string_view turns_inside_out = "a strongly curved element turns inside out where it is divided";
+constexpr std::string_view avoided_by = "A finer mesh avoids that";
+
 }  // namespace
 
 std::vector<double> mesh_errors(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes, MassMatrix mass,
@@ -98,14 +102,13 @@ MeshErrors mesh_errors(const scene::Solids& solids, const std::vector<mesh::Mesh
     }
     return {std::move(errors), {}};
   } catch (const solid::InvertedElement&) {
-    return {std::vector<double>(shapes.size(), unknown),
-            "a strongly curved element turns inside out where it is divided. A finer mesh avoids that"};
+    return {std::vector<double>(shapes.size(), unknown), fmt::format("{}. {}", turns_inside_out, avoided_by)};
   } catch (const deck::DeckError& error) {  // of the refined bodies: an estimate must not cost the modes
     return {std::vector<double>(shapes.size(), unknown), fmt::format("on the refined elements, {}", error.what())};
   }
 }
 
-std::string no_estimates(const scene::Solids& solids) {
+std::string why_no_estimates(const scene::Solids& solids) {
   for (const scene::Joint& joint : solids.joints) {
     if (joint.type == scene::JointType::bolt && !joint.shank) {
       return fmt::format(
@@ -126,7 +129,10 @@ std::string no_estimates(const scene::Solids& solids) {
 
 std::string left_out(std::span<const double> errors, std::size_t modes, Estimates wanted, const std::string& why_none) {
   if (!errors.empty() && std::ranges::all_of(errors, [](double error) { return std::isnan(error); })) {
-    return "the error of the mesh is not estimated: " + why_none;
+    return "the error of the mesh is not estimated: " +
+           (why_none.empty()
+                ? fmt::format("{}, or the body finds no rest under its prestress. {}", turns_inside_out, avoided_by)
+                : why_none);
   }
   const auto estimated = std::ranges::count_if(errors, [](double error) { return !std::isnan(error); });
   if (wanted != Estimates::quick || estimated == static_cast<std::ptrdiff_t>(modes)) {

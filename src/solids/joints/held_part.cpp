@@ -85,7 +85,7 @@ HeldPart held_part(const scene::Joint& joint, const scene::JoinedSurface& surfac
     throw deck::DeckError(surface.where,
                           fmt::format("joints.{}: the elements at '{}' have {} nodes, and springs, hinges and bolts "
                                       "hold at most {}: {}",
-                                      joint.name, surface.group, nodes, most_nodes, remedy(joint)));
+                                      joint.name, surface.group, nodes, most_nodes, how_to_hold_less(joint)));
   }
   return part;
 }
@@ -126,7 +126,7 @@ void require_washer_on(const scene::Joint& joint, const scene::JoinedSurface& su
 
 }  // namespace
 
-std::string remedy(const scene::Joint& joint) {
+std::string how_to_hold_less(const scene::Joint& joint) {
   if (joint.shank) {
     return "use larger elements, or a smaller radius of the washers";
   }

@@ -19,7 +19,7 @@ namespace idiophone::joints {
 [[nodiscard]] std::array<HeldPart, 2> held_by(const scene::Joint& joint, const std::vector<mesh::Mesh>& meshes);
 
 /// What to do where a joint holds too many nodes.
-[[nodiscard]] std::string remedy(const scene::Joint& joint);
+[[nodiscard]] std::string how_to_hold_less(const scene::Joint& joint);
 
 /// @throws deck::DeckError where the end of a hinge's axis is far from what the hinge holds
 void require_hinge_near(const scene::Joint& joint, const scene::JoinedSurface& surface, const Vector3& end,

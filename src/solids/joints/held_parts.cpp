@@ -99,7 +99,7 @@ HeldParts refined(const HeldParts& held, const scene::Solids& solids, const std:
     if (nodes > most_refined_nodes) {
       throw deck::DeckError(
           joint.where, fmt::format("joints.{} holds {} nodes of the refined elements, and at most {} are possible: {}",
-                                   joint.name, nodes, most_refined_nodes, remedy(joint)));
+                                   joint.name, nodes, most_refined_nodes, how_to_hold_less(joint)));
     }
   }
   return result;

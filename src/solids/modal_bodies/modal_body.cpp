@@ -161,7 +161,8 @@ void ModalBody::find_load(std::span<const NodeForce> force, std::span<const Node
     inertia_.add_weight(gravity_, load.modal);
   }
   if (!rest_.empty()) {
-    load.modal += force_of_rest();
+    load.modal += rest_force_;
+    load.modal.matrix().noalias() -= rest_stiffness_ * coordinates_.places().matrix();
   }
 }
 

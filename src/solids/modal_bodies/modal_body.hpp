@@ -45,12 +45,14 @@ class ModalBody : public motion::BodyModel {
   [[nodiscard]] std::optional<motion::ModalState> modal_state() const override;
   [[nodiscard]] std::span<const double> masses() const override { return inertia_.masses(); }
   [[nodiscard]] std::vector<double> inverse_masses() const override;
-  /// Modes do not limit it, but the residual flexibility is to be resolved, and supports stiffen it.
+  /// Modes do not limit it, but the residual flexibility is to be resolved, and supports and the stress at rest stiffen
+  /// it.
   [[nodiscard]] motion::StableStep stable_step(const motion::Supports& supports,
                                                const motion::BodyRanks& ranks) const override;
-  /// Of the shapes, those of all nodes and in packs, and of stretching.
+  /// Of the shapes, those of all nodes and in packs, of stretching and of the rest.
   [[nodiscard]] std::size_t bytes() const override {
-    return 2 * modes_ * masses().size() * sizeof(Vector3) + coordinates_.bytes();
+    return (2 * modes_ * masses().size() + rest_.size()) * sizeof(Vector3) + coordinates_.bytes() +
+           static_cast<std::size_t>(rest_stiffness_.size()) * sizeof(double);
   }
   void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state, const Vector3& centre,
                 const motion::BodyUnits& unit, std::span<motion::BodySums> sums) const override;
@@ -78,10 +80,14 @@ class ModalBody : public motion::BodyModel {
   void find_load(std::span<const NodeForce> force, std::span<const NodeState> state, Load& load) const;
   /// m
   [[nodiscard]] Vector3 rest_at(std::size_t node) const { return rest_.empty() ? Vector3::Zero() : rest_[node]; }
-  /// Of the stress at rest on the modes, N/kg^1/2. [modes]
-  [[nodiscard]] Eigen::ArrayXd force_of_rest() const {
-    return rest_force_ - (rest_stiffness_ * coordinates_.places().matrix()).array();
-  }
+  /// What the vibration has stored against the stress at rest, J.
+  [[nodiscard]] double energy_of_rest() const;
+  /// Of the displacements at rest, less their mean, r, kg m2.
+  struct RestMoments {
+    Eigen::Matrix3d with_arms = Eigen::Matrix3d::Zero();  ///< sum m r a^T, a the arms at rest
+    Eigen::Matrix3d square = Eigen::Matrix3d::Zero();     ///< sum m r r^T
+  };
+  [[nodiscard]] RestMoments rest_moments() const;
   void update_chosen(std::span<NodeState> state) const;
   /// Puts the states of a pack of nodes together from rigid motion and vibration.
   void move(const NodeGroup& group, std::size_t pack, const NodeGroup::Vibration& vibration,

@@ -4,6 +4,22 @@
 
 namespace idiophone::modal_bodies {
 
+ModalBody::RestMoments ModalBody::rest_moments() const {
+  RestMoments moments;
+  for (std::size_t node = 0; node < rest_.size(); ++node) {
+    const Vector3 apart = rest_[node] - mean_rest_;
+    const Vector3 weighted = inertia_.masses()[node] * apart;
+    moments.with_arms += weighted * inertia_.arms()[node].transpose();
+    moments.square += weighted * apart.transpose();
+  }
+  return moments;
+}
+
+double ModalBody::energy_of_rest() const {
+  const Eigen::VectorXd places = coordinates_.places().matrix();
+  return rest_.empty() ? 0.0 : places.dot(rest_stiffness_ * places) / 2 - places.dot(rest_force_.matrix());
+}
+
 void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
                          const Vector3& /*centre*/, const motion::BodyUnits& unit,
                          std::span<motion::BodySums> of_body) const {
@@ -17,10 +33,11 @@ void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span
   const FloatingFrame::Motion rigid =
       is_free_ ? frame_.now(own, now.force, now.torque, inertia_.change_of_moment(coordinates_.places()))
                : FloatingFrame::Motion{Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};
-  Vector3 displacement = inertia_.mass() * frame_.shift();
+  Vector3 displacement = inertia_.mass() * (frame_.shift() + mean_rest_);
   Vector3 momentum = inertia_.mass() * rigid.velocity;
   Vector3 angular = inertia_.mass() * frame_.shift().cross(rigid.velocity) + rigid.angular_momentum;
-  Eigen::Matrix3d deformed = Eigen::Matrix3d::Zero();  // sum m (R sum q phi) (X - C)^T
+  const RestMoments rest = rest_moments();
+  Eigen::Matrix3d deformed = rest.with_arms;  // sum m (r + R sum q phi) a^T, a the arms at rest
   const Eigen::ArrayXd& places = coordinates_.places();
   const Eigen::ArrayXd rates = coordinates_.rates_now(own, now.modal);
   for (std::size_t k = 0; k < modes_; ++k) {
@@ -32,16 +49,11 @@ void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span
     }
     deformed += places[mode] * frame_.turn() * inertia_.moments(k).cross;
   }
-  for (std::size_t node = 0; node < rest_.size(); ++node) {
-    displacement += inertia_.masses()[node] * rest_[node];
-    deformed += inertia_.masses()[node] * rest_[node] * inertia_.arms()[node].transpose();
-  }
+  angular += mean_rest_.cross(momentum);  // frame and arms count from the centre of mass at rest
   const double kinetic = inertia_.mass() / 2 * rigid.velocity.squaredNorm() +
                          rigid.spin.dot(rigid.angular_momentum) / 2 + rates.square().sum() / 2 +
                          residual_.kinetic_energy();
-  // What its stress at rest has done.
-  const double of_rest = rest_.empty() ? 0.0 : ((rest_force_ + force_of_rest()) * places).sum() / 2;
-  const double elastic = coordinates_.elastic_energy() + residual_.elastic_energy() - of_rest;
+  const double elastic = coordinates_.elastic_energy() + residual_.elastic_energy() + energy_of_rest();
   const Eigen::Matrix3d turned = frame_.turn_less_one() * inertia_.second_moment();
   const Eigen::Matrix3d mixed = deformed * frame_.turn_less_one().transpose();
   const Vector3 shift = displacement / inertia_.mass();
@@ -50,12 +62,13 @@ void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span
   motion::add(sums.displacement, displacement / (unit.mass * unit.length));
   motion::add(sums.momentum, momentum / unit.mass);
   motion::add(sums.angular_momentum, angular / (unit.mass * unit.length));
-  motion::add(sums.cross_moment, Eigen::Matrix3d((turned + deformed) / area));
-  // Of second order in the vibration is left out.
-  const Eigen::Matrix3d second =
-      is_free_ ? Eigen::Matrix3d(inertia_.mass() * shift * shift.transpose() +
-                                 turned * frame_.turn_less_one().transpose() + mixed + mixed.transpose())
-               : Eigen::Matrix3d(inertia_.mass() * shift * shift.transpose());
+  // With X - C = a - r. What is of second order in the vibration is left out, and its products with r.
+  const Eigen::Matrix3d of_arms = rest.square + frame_.turn_less_one() * rest.with_arms.transpose();
+  motion::add(sums.cross_moment, Eigen::Matrix3d((turned + deformed - of_arms) / area));
+  Eigen::Matrix3d second = inertia_.mass() * shift * shift.transpose() + rest.square;
+  if (is_free_) {
+    second += turned * frame_.turn_less_one().transpose() + mixed + mixed.transpose();
+  }
   motion::add(sums.second_moment, Eigen::Matrix3d(second / area));
   sums.kinetic.add(kinetic / unit.mass);
   sums.elastic.add(elastic / unit.mass);

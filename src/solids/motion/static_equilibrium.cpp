@@ -14,6 +14,7 @@
 #include "force_balance.hpp"
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/parallel/petsc.hpp"
+#include "idiophone/scene/joined_bodies.hpp"
 #include "idiophone/scene/joined_solids.hpp"
 #include "idiophone/solids/motion/deforming_cause.hpp"
 #include "idiophone/solids/motion/prestress_balance.hpp"
@@ -152,7 +153,7 @@ std::vector<double> static_equilibrium(const scene::Solids& solids, const mesh::
       continue;
     }
     const std::size_t first = bodies.front();
-    const bool is_modal_alone = bodies.size() == 1 && solids.bodies[first].modal.has_value();
+    const bool is_modal_alone = solids.bodies[first].modal.has_value() && !scene::is_joined(first, solids.joints);
     if (is_modal_alone && !is_plucked(solids, first)) {
       continue;
     }

@@ -9,9 +9,9 @@ namespace idiophone::motion {
 
 /// Displacements of all nodes in the initial state: bodies with plucks, and those that their prestress deforms, in
 /// static equilibrium under both, gravity, their supports and constraints, with large displacements; other bodies
-/// undisplaced. A modal body is displaced from where its prestress leaves it, by its plucks. Runs on one rank, so that
-/// its numbers do not depend on how many there are. The load grows in more and more increments until Newton's method
-/// converges.
+/// undisplaced. A modal body that no joint holds is displaced by its plucks alone, from where its prestress leaves it.
+/// Runs on one rank, so that its numbers do not depend on how many there are. The load grows in more and more
+/// increments until Newton's method converges.
 /// @param dynamics  of the whole mesh, on this rank alone
 /// @param part      the whole mesh as one part
 /// @return [3 x global nodes], m; empty where nothing is displaced

@@ -129,9 +129,9 @@ std::vector<std::string> kinds_of_assembly(std::span<const JoinedBody> bodies, b
   };
   std::vector<std::string> kinds;
   for (std::size_t mode = 0; mode < shapes.size(); ++mode) {
-    std::string& kind = kinds.emplace_back(is_one_piece ? of_all.next(shapes[mode]) : in_one_body(mode));
+    std::string& kind = kinds.emplace_back(is_one_piece ? of_all.next(shapes[mode]) : std::string());
     if (kind.empty()) {
-      kind = is_one_piece ? in_one_body(mode) : of_all.next(shapes[mode]);
+      kind = in_one_body(mode);
     }
   }
   return kinds;

@@ -11,6 +11,7 @@
 #include "idiophone/run/results/frame_reader.hpp"
 #include "idiophone/run/results/mode_reader.hpp"
 #include "idiophone/study/contents/describe.hpp"
+#include "idiophone/study/mode_kinds/mode_kinds.hpp"
 #include "idiophone/study/mode_pictures/mode_pictures.hpp"
 #include "outer_surface.hpp"
 #include "same_body.hpp"
@@ -41,17 +42,18 @@ std::size_t pictures_of(std::size_t triangles, std::size_t modes) {
 json modes_of_body(const results::StoredModes& stored, const results::FramedBody& mesh) {
   const std::vector<Vector3> nodes = positions_of(mesh);
   const std::vector<Triangle> triangles = surface_of(mesh);
+  const std::vector<std::string> kinds = stored.kinds ? *stored.kinds : mode_kinds::kinds_of(nodes, stored.shapes);
   const std::size_t drawn = pictures_of(triangles.size(), stored.shapes.size());
   json modes = json::array();
   for (std::size_t mode = 0; mode < stored.shapes.size(); ++mode) {
-    const std::string title = fmt::format("{}: {:.5g} Hz {}", mode + 1, stored.frequencies[mode], stored.kinds[mode]);
+    const std::string title = fmt::format("{}: {:.5g} Hz {}", mode + 1, stored.frequencies[mode], kinds[mode]);
     const double decay_time = stored.decay_times[mode];
     const double mesh_error = stored.mesh_errors.empty() ? std::nan("") : stored.mesh_errors[mode];
     modes.push_back(
         {{"frequency", stored.frequencies[mode]},
          {"decay_time", std::isfinite(decay_time) ? json(decay_time) : json()},
          {"mesh_error", std::isfinite(mesh_error) ? json(mesh_error) : json()},
-         {"kind", stored.kinds[mode]},
+         {"kind", kinds[mode]},
          {"picture", mode < drawn ? mode_pictures::svg_of_modes({nodes, triangles}, {stored.shapes[mode]}, {title})
                                   : std::string()}});
   }

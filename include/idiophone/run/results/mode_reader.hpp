@@ -2,6 +2,7 @@
 // Reading modes back from a file of `idiophone modes`, without MPI.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,10 +11,11 @@ namespace idiophone::results {
 /// The modes of one body, ascending.
 struct StoredModes {
   std::string body;
-  std::vector<double> frequencies;          ///< [modes] Hz
-  std::vector<double> decay_times;          ///< [modes] T60, s; infinity without damping
-  std::vector<double> mesh_errors;          ///< [modes] estimated, cents; NaN where unknown. Empty if unknown for all
-  std::vector<std::string> kinds;           ///< [modes] empty texts where there is none
+  std::vector<double> frequencies;  ///< [modes] Hz
+  std::vector<double> decay_times;  ///< [modes] T60, s; infinity without damping
+  std::vector<double> mesh_errors;  ///< [modes] estimated, cents; NaN where unknown. Empty if unknown for all
+  std::optional<std::vector<std::string>>
+      kinds;                                ///< [modes] empty texts where there is none; older programs wrote none
   std::vector<std::vector<double>> shapes;  ///< [modes][3 x nodes of its mesh] m
 };
 

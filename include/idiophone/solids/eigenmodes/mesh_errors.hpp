@@ -16,7 +16,7 @@ namespace idiophone::eigenmodes {
 /// mesh (mesh::refined()), where a few steps of a preconditioned gradient method lower its eigenvalue, and what the
 /// refined mesh still errs is extrapolated. Both meshes have one shape: how far it is from that of the true body is not
 /// estimated. Runs on one rank.
-/// @param solids  of one body, or of bodies that joints tie together: see no_estimates()
+/// @param solids  of one body, or of bodies that joints tie together: see why_no_estimates()
 /// @param meshes  of the bodies
 /// @param mass    that the modes were found with
 /// @param shapes  [modes][3 x nodes of all bodies] of the modes, ascending by frequency
@@ -36,6 +36,7 @@ enum class Estimates {
   all
 };
 
+/// Estimates for the modes that are wanted.
 struct MeshErrors {
   std::vector<double> cents;  ///< [modes] NaN of modes without an estimate; empty if all would take too long
   std::string why_none;       ///< why no mode has the estimate that is wanted, and what to do; empty if one has
@@ -51,16 +52,13 @@ struct MeshErrors {
 /// Why mesh_errors() does not know the joints or elements of these bodies, and what to do; empty where it does. All
 /// elements have to be of one kind, and no joint a bolt without a shank: the area under its washer changes with the
 /// mesh.
-[[nodiscard]] std::string no_estimates(const scene::Solids& solids);
+[[nodiscard]] std::string why_no_estimates(const scene::Solids& solids);
 
 /// What mesh_errors() leaves out, as a sentence for the user; empty if it leaves out nothing.
 /// @param errors    its result
 /// @param modes     how many there are
-/// @param why_none  likewise, where it is known
+/// @param why_none  likewise; empty where it is not known
 [[nodiscard]] std::string left_out(std::span<const double> errors, std::size_t modes, Estimates wanted,
-                                   const std::string& why_none =
-                                       "a strongly curved element turns inside out where it "
-                                       "is divided, or the body finds no rest under its "
-                                       "prestress. A finer mesh avoids that");
+                                   const std::string& why_none = {});
 
 }  // namespace idiophone::eigenmodes

@@ -27,8 +27,8 @@ using HeldParts = std::vector<std::array<HeldPart, 2>>;
 
 /// The same parts of the bodies on refined meshes: all elements that those of each part became.
 /// @param held  on the given meshes
-/// @throws deck::DeckError, pointing at the joint, where its parts have so many nodes that their stiffness takes
-///         gigabytes
+/// @throws deck::DeckError, pointing at the joint, where both its parts together have more than 2000 nodes: each
+///         of them is tied to each
 [[nodiscard]] HeldParts refined(const HeldParts& held, const scene::Solids& solids,
                                 const std::vector<mesh::Mesh>& meshes,
                                 const std::vector<mesh::RefinedMesh>& refined_meshes);

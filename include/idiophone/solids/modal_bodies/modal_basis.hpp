@@ -11,10 +11,11 @@
 namespace idiophone::modal_bodies {
 
 /// Free vibrations of a body about its rest: how it is held counts, its supports do not. Of a body that others pull at
-/// at rest, those of the unstressed body.
+/// at rest, those of the unstressed body; but their damping is that of the taut one, where its stress stiffens them.
 struct ModalBasis {
-  bool is_free = false;             ///< it has six rigid motions; otherwise none
-  std::vector<double> frequencies;  ///< [modes] w without damping, rad/s, ascending
+  bool is_free = false;  ///< it has six rigid motions; otherwise none
+  std::vector<double>
+      frequencies;  ///< [modes] w, rad/s, ascending: zeta does not count, but the stiffness that losses add does
   std::size_t further = 0;          ///< how many of them, the highest, joints add to those of the model
   std::vector<double> decay_rates;  ///< [modes] zeta w: amplitudes fall as exp(-zeta w t), 1/s
   std::vector<double> shapes;       ///< [modes x 3 x nodes], mode by mode, kg^-1/2: x^T M x = 1
@@ -26,7 +27,7 @@ struct ModalBasis {
   /// Empty: they count from where the body rests by itself
   std::vector<double> rest;
   std::vector<double> rest_force;  ///< [modes] of its own stress there, which joints balance, N/kg^1/2; empty likewise
-  std::vector<double> rest_stiffness;  ///< [modes x modes] that this stress adds to the modes, 1/s2; empty likewise
+  std::vector<double> rest_stiffness;  ///< [modes x modes] that this stress adds to w^2, 1/s2; empty likewise
   double mass_damping = 0.0;           ///< alpha, 1/s; it slows rigid motion, too
   double thickness = 0.0;              ///< twice the volume over the surface, m
   Stretching stretching;               ///< of large vibrations; none where they are taken as small

@@ -26,9 +26,10 @@ struct JoinedBody {
   std::span<const Vector3> nodes;  ///< m
 };
 
-/// The kind of each mode of an assembly: by the form of all bodies together, or, of a mode with more than 90 % of the
-/// kinetic energy in one body, by the form of this body: "lid: bending 1 along z".
-/// @param is_one_piece    bodies are glued face to face: the form of all comes first. Else the form of one body does
+/// The kind of each mode of an assembly: by the form of all bodies together, where they are one piece. If that has no
+/// name, and one body has more than 90 % of the kinetic energy of the mode, by the form of this body:
+/// "lid: bending 1 along z".
+/// @param is_one_piece    bodies are glued face to face
 /// @param shapes          [modes][3 x nodes of all bodies] of the lowest modes, ascending
 /// @param kinetic_shares  [modes][bodies] of the kinetic energy
 /// @return [modes]; empty where a mode has no such name
