@@ -176,8 +176,8 @@ void add_tangent_stiffness(const mesh::Part& part, const mesh::BodyPart& body, c
       displacement.emplace_back(state[node].displacement);
     }
     const auto region = static_cast<std::size_t>(body.region(element));
-    return solid::tangent_stiffness(body.element, (solid.*moduli)(region), reference, displacement,
-                                    solid.initial_stress(region));
+    return solid::tangent_stiffness(body.element, (solid.*moduli)(region), solid.relaxed_elasticity(region), reference,
+                                    displacement, solid.initial_stress(region));
   };
   add_elements(body, components, tangent, matrix);
 }

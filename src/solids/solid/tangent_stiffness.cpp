@@ -26,18 +26,23 @@ Eigen::Matrix3d stress(const StiffnessMatrix& stiffness, const Eigen::Matrix3d& 
   return full;
 }
 
+/// Where the stress of a body at rest comes from.
+struct Rest {
+  Eigen::Matrix3d initial;    ///< stress without displacement, Pa
+  StiffnessMatrix stiffness;  ///< against the displacement, Pa
+};
+
 /// Adds what a quadrature point contributes to K: with g_a = grad N_a and B the derivative of strain (in
 /// StiffnessMatrix's order) by the nodes' displacements, w [ B^T C B + (g_a S g_b) I at the block (a, b) ].
 /// @tparam n  nodes, or Eigen::Dynamic
 /// @param x       [3 x nodes] X, m
 /// @param u       [3 x nodes] displacement, m
 /// @param slopes  [nodes x 3] dN_a/dxi_k
-/// @param weight   in the reference element
-/// @param initial  stress without displacement, Pa
+/// @param weight  in the reference element
 template <int n>
 void add_point(const StiffnessMatrix& stiffness, const Eigen::Matrix<double, 3, n>& x,
                const Eigen::Matrix<double, 3, n>& u, const Eigen::Matrix<double, n, 3>& slopes, double weight,
-               const Eigen::Matrix3d& initial, Eigen::MatrixXd& tangent) {
+               const Rest& rest, Eigen::MatrixXd& tangent) {
   constexpr int components = n == Eigen::Dynamic ? Eigen::Dynamic : 3 * n;
   const Eigen::Matrix3d jacobian = x * slopes;
   const double volume = weight * jacobian.determinant();
@@ -53,7 +58,7 @@ void add_point(const StiffnessMatrix& stiffness, const Eigen::Matrix<double, 3, 
     }
   }
   tangent += volume * b.transpose() * stiffness * b;
-  const Eigen::Matrix3d s = initial + stress(stiffness, (h + h.transpose() + h.transpose() * h) / 2);
+  const Eigen::Matrix3d s = rest.initial + stress(rest.stiffness, (h + h.transpose() + h.transpose() * h) / 2);
   const Eigen::Matrix<double, n, n> geometric = volume * g.transpose() * s * g;
   for (Eigen::Index a = 0; a < x.cols(); ++a) {
     for (Eigen::Index c = 0; c < x.cols(); ++c) {
@@ -64,7 +69,7 @@ void add_point(const StiffnessMatrix& stiffness, const Eigen::Matrix<double, 3, 
 
 template <class Element>
 Eigen::MatrixXd tangent(const StiffnessMatrix& stiffness, std::span<const Vector3> reference,
-                        std::span<const Vector3> displacement, const Eigen::Matrix3d& initial) {
+                        std::span<const Vector3> displacement, const Rest& rest) {
   constexpr Eigen::Index n = Element::nodes;
   Eigen::Matrix<double, 3, n> x;
   Eigen::Matrix<double, 3, n> u;
@@ -80,7 +85,7 @@ Eigen::MatrixXd tangent(const StiffnessMatrix& stiffness, std::span<const Vector
         slopes(a, k) = Element::gradient(Element::places[q], static_cast<int>(a), k);
       }
     }
-    add_point<n>(stiffness, x, u, slopes, Element::weights[q], initial, tangent);
+    add_point<n>(stiffness, x, u, slopes, Element::weights[q], rest, tangent);
   }
   return tangent;
 }
@@ -88,7 +93,7 @@ Eigen::MatrixXd tangent(const StiffnessMatrix& stiffness, std::span<const Vector
 /// Only the nodes on the three lines through a quadrature point have a gradient there.
 Eigen::MatrixXd hexahedron_tangent(element::Type type, const StiffnessMatrix& stiffness,
                                    std::span<const Vector3> reference, std::span<const Vector3> displacement,
-                                   const Eigen::Matrix3d& initial) {
+                                   const Rest& rest) {
   const auto n = static_cast<Eigen::Index>(reference.size());
   const Eigen::Map<const Eigen::Matrix3Xd> x(reference.front().data(), 3, n);
   const Eigen::Map<const Eigen::Matrix3Xd> u(displacement.front().data(), 3, n);
@@ -105,7 +110,7 @@ Eigen::MatrixXd hexahedron_tangent(element::Type type, const StiffnessMatrix& st
     const auto size = static_cast<Eigen::Index>(components.size());
     Eigen::MatrixXd contribution = Eigen::MatrixXd::Zero(size, size);
     add_point<Eigen::Dynamic>(stiffness, x(Eigen::all, nodes), u(Eigen::all, nodes), point.gradient(nodes, Eigen::all),
-                              point.weight, initial, contribution);
+                              point.weight, rest, contribution);
     tangent(components, components) += contribution;
   }
   return tangent;
@@ -115,14 +120,21 @@ Eigen::MatrixXd hexahedron_tangent(element::Type type, const StiffnessMatrix& st
 
 Eigen::MatrixXd tangent_stiffness(element::Type type, const Elasticity& elasticity, std::span<const Vector3> reference,
                                   std::span<const Vector3> displacement, const Eigen::Matrix3d& initial) {
+  return tangent_stiffness(type, elasticity, elasticity, reference, displacement, initial);
+}
+
+Eigen::MatrixXd tangent_stiffness(element::Type type, const Elasticity& elasticity, const Elasticity& relaxed,
+                                  std::span<const Vector3> reference, std::span<const Vector3> displacement,
+                                  const Eigen::Matrix3d& initial) {
   const StiffnessMatrix stiffness = stiffness_matrix(elasticity);
+  const Rest rest{initial, stiffness_matrix(relaxed)};
   switch (type.kind) {
     case element::Kind::tet4:
-      return tangent<element::Tet4>(stiffness, reference, displacement, initial);
+      return tangent<element::Tet4>(stiffness, reference, displacement, rest);
     case element::Kind::tet10:
-      return tangent<element::Tet10>(stiffness, reference, displacement, initial);
+      return tangent<element::Tet10>(stiffness, reference, displacement, rest);
     case element::Kind::hex:
-      return hexahedron_tangent(type, stiffness, reference, displacement, initial);
+      return hexahedron_tangent(type, stiffness, reference, displacement, rest);
   }
   element::unknown_kind();
 }

@@ -20,4 +20,11 @@ namespace idiophone::solid {
                                                 std::span<const Vector3> displacement,
                                                 const Eigen::Matrix3d& stress = Eigen::Matrix3d::Zero());
 
+/// The same of a material that relaxes: it resists vibration by one elasticity, and has the stress of its rest by
+/// another one.
+/// @param relaxed  of the rest
+[[nodiscard]] Eigen::MatrixXd tangent_stiffness(element::Type type, const Elasticity& elasticity,
+                                                const Elasticity& relaxed, std::span<const Vector3> reference,
+                                                std::span<const Vector3> displacement, const Eigen::Matrix3d& stress);
+
 }  // namespace idiophone::solid
