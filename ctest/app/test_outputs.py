@@ -107,7 +107,7 @@ class Outputs(program.TestCase):
         self.assertEqual(float(progress[-1][0]), 100)
         self.assertEqual(int(progress[0][1]), 1)
         self.assertRegex(job.stdout, r"of computing, \S+ million elements a second and core")
-        shares = "  ".join(rf"{stage} \S+ %" for stage in ("motion", "surface", "visibility", "radiation", "store"))
+        shares = "  ".join(rf"{stage} \S+ %" for stage in ("motion", "surface", "radiation", "store"))
         self.assertRegex(job.stdout, f"share of time on rank 0:  {shares}")
 
     @unittest.skipIf(len(os.sched_getaffinity(0)) < 2, "needs two processors")

@@ -50,7 +50,7 @@ def test_a_fit_with_a_false_line_is_returned_with_its_doubts(ball, lines):
 def test_wrong_measurements_are_program_errors(ball):
     with pytest.raises(idiophone.ProgramError, match="did you mean 'young'"):
         ball.identify([1000], fit=["yuong"])
-    with pytest.raises(idiophone.ProgramError, match="--turn-deviation is of turns"):
+    with pytest.raises(idiophone.ProgramError, match="--turn-deviation needs turns"):
         ball.identify([1000], fit=["young"], turn_deviation=4)
     with pytest.raises(idiophone.DeckError, match="line"):
         ball.identify({"linez": [1000]})

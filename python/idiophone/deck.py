@@ -123,7 +123,7 @@ class Deck:
         measured: frequencies in Hz; or the path of a recording or of a file of lines; or the values of such a file, e.g.
         {"mass": 0.412, "lines": [523.1, 1443.7]}. fit: names of constants, e.g. ["young"] (default: all), and of turns of the
         material's axes, e.g. ["constants", "turn_z"]. tolerance: cents between a line and its mode. lines: fit only so many, the
-        lowest. mass: "consistent" or "lumped". turn_deviation: degrees, standard deviation of each turn that is expected.
+        lowest. mass: "consistent" or "lumped". turn_deviation: degrees, expected standard deviation of each turn.
         A fit with doubts is returned, too, with `accepted` False. Raises DeckError, ProgramError.
         """
         with _measurements(measured) as path:
