@@ -1,4 +1,4 @@
-#include "idiophone/solids/motion/deforming_cause.hpp"
+#include "deforming_cause.hpp"
 
 #include <fmt/format.h>
 

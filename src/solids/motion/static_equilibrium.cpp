@@ -11,12 +11,12 @@
 #include <span>
 #include <string>
 
+#include "deforming_cause.hpp"
 #include "force_balance.hpp"
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/parallel/petsc.hpp"
 #include "idiophone/scene/joined_bodies.hpp"
 #include "idiophone/scene/joined_solids.hpp"
-#include "idiophone/solids/motion/deforming_cause.hpp"
 #include "idiophone/solids/motion/prestress_balance.hpp"
 
 namespace idiophone::motion {
