@@ -8,6 +8,7 @@ namespace idiophone::results {
 
 std::vector<std::string> spread_column_names() {
   std::vector<std::string> names;
+  names.reserve(spread_columns.size());
   for (const auto& [first, second] : spread_columns) {
     names.push_back({"xyz"[first], "xyz"[second]});
   }

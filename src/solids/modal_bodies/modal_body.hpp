@@ -55,7 +55,7 @@ class ModalBody : public motion::BodyModel {
            static_cast<std::size_t>(rest_stiffness_.size()) * sizeof(double);
   }
   void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state, const Vector3& centre,
-                const motion::BodyUnits& unit, std::span<motion::BodySums> sums) const override;
+                const motion::BodyUnits& unit, std::span<motion::BodySums> of_body) const override;
   void archive(parallel::Archive& archive) override;
 
  private:
