@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
+#include <string>
 
 #include "assembly.hpp"
 #include "block_mesh.hpp"
@@ -271,6 +272,16 @@ TEST(JoinedModalBodies, KeepTheResidualFrequencyOfTheirModel) {
   }
 }
 
+/// What is attached where the only pulse acts evenly on a group of the first body.
+motion::Attachments pushed_at(const Assembly& bodies, const std::string& group) {
+  const auto& nodes = bodies.meshes[0].groups.at(group);
+  scene::Scene joined = bodies.scene;
+  joined.pulses.clear();
+  motion::Attachments attachments = motion::attach(joined, bodies.meshes);
+  attachments.pulses = {{nodes, std::vector(nodes.size(), 1.0 / static_cast<double>(nodes.size()))}};
+  return attachments;
+}
+
 /// The bar, glued, which a push on its first end sets into motion.
 struct PushedBar {
   /// @param modal  the bodies that move by their modes
@@ -285,11 +296,7 @@ struct PushedBar {
     pulse.signal.duration = push;
     bar.scene.pulses = {pulse};
     bases = bases_of(bar);
-    const auto& nodes = bar.meshes[0].groups.at("x0");
-    scene::Scene joined = bar.scene;
-    joined.pulses.clear();
-    attachments = motion::attach(joined, bar.meshes);
-    attachments.pulses = {{nodes, std::vector(nodes.size(), 1.0 / static_cast<double>(nodes.size()))}};
+    attachments = pushed_at(bar, "x0");
     part = mesh::distribute(bar.meshes, MPI_COMM_SELF);
     models = modal_bodies::modal_models(bar.scene, bases);
   }
@@ -420,11 +427,7 @@ struct HardHitStrips {
     pulse.signal.duration = 1e-3;
     strips.scene.pulses = {pulse};
     bases = bases_of(strips);
-    const auto& nodes = strips.meshes[0].groups.at("x1");
-    scene::Scene joined = strips.scene;
-    joined.pulses.clear();
-    attachments = motion::attach(joined, strips.meshes);
-    attachments.pulses = {{nodes, std::vector(nodes.size(), 1.0 / static_cast<double>(nodes.size()))}};
+    attachments = pushed_at(strips, "x1");
     part = mesh::distribute(strips.meshes, MPI_COMM_SELF);
     models = modal_bodies::modal_models(strips.scene, bases);
   }

@@ -259,22 +259,28 @@ TurnedMaterial some_spruce(std::mt19937& generator) {
   return wood;
 }
 
+/// Forty lines that are wrong by a standard deviation of 2 cents.
+Measurements noisy_lines_of(const StrainedBody& body, const TurnedMaterial& wood, std::mt19937& generator) {
+  std::normal_distribution<double> error(0, 2);
+  Measurements measured = lines_of_turned(body, wood, 40, 0);
+  for (Line& line : measured.lines) {
+    line.frequency *= std::exp2(error(generator) / 1200);
+  }
+  std::ranges::sort(measured.lines, {}, &Line::frequency);
+  return measured;
+}
+
 // Nine constants and three turns are much for one body: many fits end in wrong minima. Signs are those of an
 // equivalent.
 TEST(Turns, NoFitOfWoodIsWrongWithoutADoubt) {
   LONG_VERIFICATION();
   constexpr int bodies = 20;
   std::mt19937 generator(1);
-  std::normal_distribution<double> error(0, 2);
   const StrainedBody body = free_body(turned_block_of(spruce())).reduced(120);
   int accepted = 0;
   for (int n = 0; n < bodies; ++n) {
     const TurnedMaterial wood = some_spruce(generator);
-    Measurements measured = lines_of_turned(body, wood, 40, 0);
-    for (Line& line : measured.lines) {
-      line.frequency *= std::exp2(error(generator) / 1200);
-    }
-    std::ranges::sort(measured.lines, {}, &Line::frequency);
+    const Measurements measured = noisy_lines_of(body, wood, generator);
     const Identification found = identify(body, measured, {.constants = {"constants", "turns"}});
     const bool is_right = (turns_found(found).cwiseAbs() - wood.turns.cwiseAbs()).lpNorm<Eigen::Infinity>() < 1;
     EXPECT_TRUE(is_right || !found.doubts.empty()) << "body " << n;
@@ -303,17 +309,12 @@ TEST(Turns, OfWoodThatAreExpectedToBeSmallEndInFewerWrongMinima) {
   LONG_VERIFICATION();
   constexpr int bodies = 8;
   std::mt19937 generator(1);
-  std::normal_distribution<double> error(0, 2);
   const StrainedBody body = free_body(turned_block_of(spruce())).reduced(120);
   int accepted = 0;
   for (int n = 0; n < bodies; ++n) {
     TurnedMaterial wood = some_spruce(generator);
     wood.turns /= 5;
-    Measurements measured = lines_of_turned(body, wood, 40, 0);
-    for (Line& line : measured.lines) {
-      line.frequency *= std::exp2(error(generator) / 1200);
-    }
-    std::ranges::sort(measured.lines, {}, &Line::frequency);
+    const Measurements measured = noisy_lines_of(body, wood, generator);
     const Identification found =
         identify(body, measured, {.constants = {"constants", "turns"}, .turn_deviation = 0.07});
     const bool is_right = (turns_found(found).cwiseAbs() - wood.turns.cwiseAbs()).lpNorm<Eigen::Infinity>() < 1;

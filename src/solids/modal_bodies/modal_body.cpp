@@ -44,6 +44,7 @@ ModalBody::ModalBody(std::string name, const Vector3& gravity, const mesh::Part&
   }
   mean_rest_ /= std::accumulate(basis.masses.begin(), basis.masses.end(), 0.0);
   inertia_ = ModalInertia(basis.masses, places, shapes_);
+  rest_moments_ = find_rest_moments();
   all_ = NodeGroup(shapes_, inertia_.arms(), numbers_below(inertia_.masses().size()));
   residual_ = ResidualFlexibility(basis, omitted_mobility());
   rest_force_ = Eigen::ArrayXd::Map(basis.rest_force.data(), std::ssize(basis.rest_force));

@@ -87,7 +87,7 @@ class ModalBody : public motion::BodyModel {
     Eigen::Matrix3d with_arms = Eigen::Matrix3d::Zero();  ///< sum m r a^T, a the arms at rest
     Eigen::Matrix3d square = Eigen::Matrix3d::Zero();     ///< sum m r r^T
   };
-  [[nodiscard]] RestMoments rest_moments() const;
+  [[nodiscard]] RestMoments find_rest_moments() const;
   void update_chosen(std::span<NodeState> state) const;
   /// Puts the states of a pack of nodes together from rigid motion and vibration.
   void move(const NodeGroup& group, std::size_t pack, const NodeGroup::Vibration& vibration,
@@ -111,6 +111,7 @@ class ModalBody : public motion::BodyModel {
   Vector3 mean_rest_ = Vector3::Zero();  ///< of the centre of mass, m
   Eigen::ArrayXd rest_force_;            ///< [modes] likewise, of its stress there, N/kg^1/2
   Eigen::MatrixXd rest_stiffness_;       ///< [modes x modes] that this stress adds, 1/s2
+  RestMoments rest_moments_;
   FloatingFrame frame_;
   Load load_;                 ///< of the step, kept for its memory
   double highest_frequency_;  ///< of all oscillators, rad/s

@@ -4,7 +4,7 @@
 
 namespace idiophone::modal_bodies {
 
-ModalBody::RestMoments ModalBody::rest_moments() const {
+ModalBody::RestMoments ModalBody::find_rest_moments() const {
   RestMoments moments;
   for (std::size_t node = 0; node < rest_.size(); ++node) {
     const Vector3 apart = rest_[node] - mean_rest_;
@@ -36,8 +36,7 @@ void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span
   Vector3 displacement = inertia_.mass() * (frame_.shift() + mean_rest_);
   Vector3 momentum = inertia_.mass() * rigid.velocity;
   Vector3 angular = inertia_.mass() * frame_.shift().cross(rigid.velocity) + rigid.angular_momentum;
-  const RestMoments rest = rest_moments();
-  Eigen::Matrix3d deformed = rest.with_arms;  // sum m (r + R sum q phi) a^T, a the arms at rest
+  Eigen::Matrix3d deformed = rest_moments_.with_arms;  // sum m (r + R sum q phi) a^T, a the arms at rest
   const Eigen::ArrayXd& places = coordinates_.places();
   const Eigen::ArrayXd rates = coordinates_.rates_now(own, now.modal);
   for (std::size_t k = 0; k < modes_; ++k) {
@@ -63,9 +62,9 @@ void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span
   motion::add(sums.momentum, momentum / unit.mass);
   motion::add(sums.angular_momentum, angular / (unit.mass * unit.length));
   // With X - C = a - r. What is of second order in the vibration is left out, and its products with r.
-  const Eigen::Matrix3d of_arms = rest.square + frame_.turn_less_one() * rest.with_arms.transpose();
+  const Eigen::Matrix3d of_arms = rest_moments_.square + frame_.turn_less_one() * rest_moments_.with_arms.transpose();
   motion::add(sums.cross_moment, Eigen::Matrix3d((turned + deformed - of_arms) / area));
-  Eigen::Matrix3d second = inertia_.mass() * shift * shift.transpose() + rest.square;
+  Eigen::Matrix3d second = inertia_.mass() * shift * shift.transpose() + rest_moments_.square;
   if (is_free_) {
     second += turned * frame_.turn_less_one().transpose() + mixed + mixed.transpose();
   }
