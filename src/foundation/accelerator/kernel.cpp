@@ -45,6 +45,12 @@ Kernel::Kernel(const Program& program, const char* name) : accelerator_(&program
 }
 
 void Kernel::set(unsigned place, std::size_t bytes, const void* value) {
+  const std::span given(static_cast<const std::byte*>(value), bytes);
+  arguments_.resize(std::max<std::size_t>(arguments_.size(), place + 1));
+  if (std::ranges::equal(arguments_[place], given)) {
+    return;
+  }
+  arguments_[place].assign(given.begin(), given.end());
   require_success(clSetKernelArg(static_cast<cl_kernel>(kernel_.get()), place, bytes, value), "set an argument");
 }
 

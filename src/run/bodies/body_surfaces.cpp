@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "idiophone/foundation/each_once.hpp"
+#include "idiophone/solids/accelerated/accelerated_solid.hpp"
 
 namespace idiophone::bodies {
 
@@ -52,6 +53,12 @@ std::vector<std::size_t> triangles_without(const std::vector<bool>& left_out, co
     }
   }
   return places;
+}
+
+std::vector<std::size_t> triangles_of(std::size_t body, const mesh::Part& part) {
+  std::vector<bool> others(part.bodies.size(), true);
+  others[body] = false;
+  return triangles_without(others, part);
 }
 
 /// Places of the vertices of some triangles, ascending.
@@ -143,9 +150,7 @@ void BodySurfaces::open_broken_faces(const motion::Motion& motion) {
 
 void BodySurfaces::add_modal_body(std::size_t body, const modal_bodies::ModalBasis& basis) {
   const mesh::Part& part = ready_.part;
-  std::vector<bool> others(part.bodies.size(), true);
-  others[body] = false;
-  const std::vector<std::size_t> triangles = triangles_without(others, part);
+  const std::vector<std::size_t> triangles = triangles_of(body, part);
   const std::vector<std::size_t> vertices = vertices_of(triangles, part);
   std::vector<std::size_t> nodes;
   std::ranges::transform(vertices, std::back_inserter(nodes), [&](std::size_t vertex) -> std::size_t {
@@ -159,6 +164,26 @@ void BodySurfaces::add_modal_body(std::size_t body, const modal_bodies::ModalBas
                     ModalSurface(basis, shape, sampling())});
 }
 
+void BodySurfaces::accelerate(accelerator::Accelerator& accelerator, motion::Motion& motion) {
+  if (triangles_.empty()) {
+    return;
+  }
+  accelerated_.emplace(accelerator, finite_elements_);
+  const mesh::Part& part = ready_.part;
+  for (std::size_t body = 0; body < part.bodies.size(); ++body) {
+    const std::vector<std::size_t> vertices = vertices_of(triangles_of(body, part), part);
+    const accelerated::AcceleratedSolid* const solid = motion.on_accelerator(body);
+    if (solid == nullptr || vertices.empty()) {
+      continue;
+    }
+    std::vector<Index> nodes;
+    std::ranges::transform(vertices, std::back_inserter(nodes),
+                           [&](std::size_t vertex) { return solid->number(part.vertices[vertex]); });
+    const auto first = std::ranges::lower_bound(vertices_, vertices.front()) - vertices_.begin();
+    accelerated_vertices_.push_back({body, static_cast<std::size_t>(first), {accelerator, nodes}});
+  }
+}
+
 void BodySurfaces::start(const motion::Motion& motion, surface::SurfaceMotion& result) {
   read_displacements(motion);
   open_broken_faces(motion);
@@ -168,6 +193,9 @@ void BodySurfaces::start(const motion::Motion& motion, surface::SurfaceMotion& r
     velocities.insert(velocities.end(), v, v + 3);
   }
   finite_elements_motion_ = finite_elements_.start(velocities);
+  if (accelerated_) {
+    accelerated_->load();
+  }
   put_finite_elements(result);
   for (ModalBody& body : modal_) {
     body.surface.start(*motion.dynamics().model(body.number).modal_state(), body.pressure(result),
@@ -175,17 +203,28 @@ void BodySurfaces::start(const motion::Motion& motion, surface::SurfaceMotion& r
   }
 }
 
-void BodySurfaces::read(const motion::Motion& motion) {
-  read_displacements(motion);
-  open_broken_faces(motion);
-  finite_elements_.read();
+void BodySurfaces::read(motion::Motion& motion) {
+  if (accelerated_) {
+    for (const auto& [body, first, nodes] : accelerated_vertices_) {
+      accelerated_->displace(first, nodes, motion.on_accelerator(body)->displacements());
+    }
+    accelerated_->read();
+  } else {
+    read_displacements(motion);
+    open_broken_faces(motion);
+    finite_elements_.read();
+  }
   for (ModalBody& body : modal_) {
     body.surface.read(*motion.dynamics().model(body.number).modal_state());
   }
 }
 
 void BodySurfaces::take(surface::SurfaceMotion& result) {
-  finite_elements_.take(finite_elements_motion_);
+  if (accelerated_) {
+    accelerated_->take(finite_elements_motion_);
+  } else {
+    finite_elements_.take(finite_elements_motion_);
+  }
   put_finite_elements(result);
   for (ModalBody& body : modal_) {
     body.surface.take(body.pressure(result), body.position(result));
@@ -222,7 +261,13 @@ double BodySurfaces::largest_rotation(std::size_t body) const {
 }
 
 void BodySurfaces::archive(parallel::Archive& archive) {
+  if (accelerated_ && !archive.restoring()) {
+    accelerated_->save();
+  }
   finite_elements_.archive(archive, triangle_rows_, vertex_rows_);
+  if (accelerated_ && archive.restoring()) {
+    accelerated_->load();
+  }
   for (const auto& [body, basis] : ready_.modal_bases) {
     const auto here = std::ranges::find(modal_, body, &ModalBody::number);
     const std::size_t all = ModalSurface::coordinates(basis);

@@ -4,9 +4,11 @@
 
 #include <mpi.h>
 
+#include <optional>
 #include <vector>
 
 #include "idiophone/air/propagation/audible_surface.hpp"
+#include "idiophone/air/surface/accelerated_surface.hpp"
 #include "idiophone/air/surface/surface.hpp"
 #include "idiophone/solids/motion/motion.hpp"
 #include "modal_surface.hpp"
@@ -22,11 +24,14 @@ class BodySurfaces {
 
   [[nodiscard]] const surface::Sampling& sampling() const { return finite_elements_.sampling(); }
 
+  /// From now on, an accelerator computes the surfaces of finite elements, as it does their motion.
+  void accelerate(accelerator::Accelerator& accelerator, motion::Motion& motion);
+
   /// Begins at time 0. The surfaces are taken to have moved with their velocities for ever.
   void start(const motion::Motion& motion, surface::SurfaceMotion& result);
 
   /// Takes the motion at the end of one more read.
-  void read(const motion::Motion& motion);
+  void read(motion::Motion& motion);
 
   /// Ends an audio sample; what belongs to which: see surface::Surface.
   void take(surface::SurfaceMotion& result);
@@ -61,6 +66,13 @@ class BodySurfaces {
     }
   };
 
+  /// Neighbouring vertices of finite_elements_, of a body that an accelerator steps.
+  struct AcceleratedVertices {
+    std::size_t body;
+    std::size_t first;                ///< vertex
+    accelerator::Array<Index> nodes;  ///< of each, its place among the displacements of the body
+  };
+
   /// A triangle of a fracture surface on this rank.
   struct FractureTriangle {
     std::size_t triangle;  ///< of finite_elements_
@@ -80,6 +92,8 @@ class BodySurfaces {
   std::vector<std::size_t> vertices_;   ///< likewise
   surface::Surface finite_elements_;
   surface::SurfaceMotion finite_elements_motion_;
+  std::optional<surface::AcceleratedSurface> accelerated_;  ///< takes the place of finite_elements_
+  std::vector<AcceleratedVertices> accelerated_vertices_;
   std::vector<ModalBody> modal_;
   std::vector<FractureTriangle> fracture_triangles_;
   parallel::Rows triangle_rows_;  ///< of the archive: triangles of finite elements

@@ -39,6 +39,9 @@ FiniteElementSource::FiniteElementSource(const Preparation& ready, parallel::Sta
       gauge_channels_(ready, motion_, communicator),
       fracture_channels_(ready, motion_, communicator) {
   motion_.balance_loads(ready.initial_state);
+  if (accelerator != nullptr) {
+    surfaces_->accelerate(*accelerator, motion_);
+  }
 }
 
 FiniteElementSource::~FiniteElementSource() = default;
@@ -69,7 +72,6 @@ void FiniteElementSource::advance(surface::SurfaceMotion& motion) {
       advance_motion_to(motion_.step_number() + ready_.steps_per_read);
     }
     const parallel::Stages::Scope stage(stages_, parallel::Stage::surface);
-    motion_.update_surface();
     surfaces_->read(motion_);
   }
   stages_.move(parallel::Stage::motion, parallel::Stage::contact, motion_.contacts().take_seconds());

@@ -109,12 +109,15 @@ void AcceleratedSolid::find_borders(const mesh::BodyPart& body) {
   keep_each_once(shared_);
 }
 
-/// The number of a node on the accelerator.
 Index AcceleratedSolid::number(Index node) const {
   if (owns(node)) {
     return node - begin_;
   }
   return owned_ + static_cast<Index>(std::ranges::lower_bound(ghosts_, node) - ghosts_.begin());
+}
+
+const Array<double>& AcceleratedSolid::displacements() const {
+  return device_->displacement;
 }
 
 NodeList AcceleratedSolid::list(std::vector<Index> nodes) const {

@@ -58,7 +58,6 @@ void AcceleratedBody::begin(double step) {
   exchanged_ = steered_;
   exchanged_.insert(exchanged_.end(), there_->shared().begin(), there_->shared().end());
   needs_velocities_ = !steered_.empty() || part_.owned_nodes < static_cast<Index>(part_.node_ids.size());
-  surface_.emplace(there_->list(owned(part_.vertices)));
   choose_nodes({}, 1);
 }
 
@@ -136,17 +135,16 @@ void AcceleratedBody::update_nodes(std::span<NodeState> state) {
   }
 }
 
-void AcceleratedBody::update_surface(std::span<NodeState> state) {
-  if (is_loaded_) {
-    there_->read(*surface_, state);
-  }
-}
-
 void AcceleratedBody::update_all(std::span<NodeState> state) {
   if (is_loaded_) {
     there_->save(state);
     there_->save_memory(solid_);
   }
+}
+
+const accelerated::AcceleratedSolid* AcceleratedBody::on_accelerator(std::span<const NodeState> state) {
+  there_->write(*ghosts_, state);
+  return &*there_;
 }
 
 void AcceleratedBody::archive(parallel::Archive& archive) {

@@ -32,8 +32,8 @@ class AcceleratedBody : public FiniteElementBody {
   void advance_displacements(const Step& step, std::span<NodeState> state) override;
   void choose_nodes(std::span<const Index> nodes, int most_at_once) override;
   void update_nodes(std::span<NodeState> state) override;
-  void update_surface(std::span<NodeState> state) override;
   void update_all(std::span<NodeState> state) override;
+  [[nodiscard]] const accelerated::AcceleratedSolid* on_accelerator(std::span<const NodeState> state) override;
   void archive(parallel::Archive& archive) override;
 
  private:
@@ -50,7 +50,6 @@ class AcceleratedBody : public FiniteElementBody {
   std::optional<NodeList> ghosts_;                      ///< of other ranks
   std::vector<Index> exchanged_;                        ///< whose motion the processor needs in each step, or changes
   bool needs_velocities_ = false;                       ///< of the nodes it follows, before they move: ghosts elsewhere
-  std::optional<NodeList> surface_;                     ///< owned
   std::optional<NodeList> chosen_;                      ///< on which forces act
   std::optional<NodeList> followed_;                    ///< chosen or exchanged: up to date after each step
 };

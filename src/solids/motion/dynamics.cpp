@@ -200,12 +200,6 @@ void Dynamics::update_nodes(std::span<NodeState> state) {
   }
 }
 
-void Dynamics::update_surface(std::span<NodeState> state) {
-  for (const auto& body : bodies_) {
-    body->update_surface(state);
-  }
-}
-
 void Dynamics::update_all(std::span<NodeState> state) {
   for (const auto& body : bodies_) {
     body->update_all(state);

@@ -34,18 +34,25 @@ class LowPass {
   /// Moves the complete outputs out, [width], and goes on to the next audio sample.
   void take(std::span<double> values);
 
+  /// Outputs that an input is added to.
+  [[nodiscard]] std::size_t outputs() const { return outputs_; }
+
+  /// Weights of the inputs of an audio sample: [reads][2 outputs]. An input's row stands there twice: from place
+  /// outputs() - n on it fits outputs of which the oldest one has the place n.
+  [[nodiscard]] const std::vector<double>& taps() const { return taps_; }
+
+  /// What a signal's output has so far; the oldest output is number 0.
+  [[nodiscard]] double& sum(std::size_t signal, std::size_t output);
+
   /// One signal's state: its outputs, oldest first.
   void archive(std::size_t signal, parallel::ArchiveRow& row);
 
  private:
-  /// What a signal's output has so far; the oldest output is number 0.
-  [[nodiscard]] double& sum(std::size_t signal, std::size_t output);
-
   static constexpr std::size_t outputs_at_once = 4;
 
   std::size_t outputs_;
-  std::size_t oldest_ = 0;    // place of the output that is completed first
-  std::vector<double> taps_;  // [reads][2 outputs], the row twice: the part from outputs - oldest on fits the places
+  std::size_t oldest_ = 0;  // place of the output that is completed first
+  std::vector<double> taps_;
   std::vector<AlignedBlock> sums_;  // [packs][outputs] by place
 };
 

@@ -62,6 +62,8 @@ class Surface {
   void archive(parallel::Archive& archive, const parallel::Rows& triangles, const parallel::Rows& vertices);
 
  private:
+  friend class AcceleratedSurface;
+
   static constexpr std::size_t reads_at_once = 8;  // held before they are filtered together
 
   void filter_reads();

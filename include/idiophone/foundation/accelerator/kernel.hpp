@@ -2,7 +2,9 @@
 // What an accelerator computes: functions in OpenCL C 1.2, each called for many numbers at once.
 
 #include <array>
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "idiophone/foundation/accelerator/array.hpp"
 
@@ -56,6 +58,7 @@ class Kernel {
 
   Accelerator* accelerator_;
   Handle kernel_;
+  std::vector<std::vector<std::byte>> arguments_;  // as OpenCL knows them; most are the same in each step
 };
 
 }  // namespace idiophone::accelerator

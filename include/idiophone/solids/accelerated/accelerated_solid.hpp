@@ -48,6 +48,11 @@ class AcceleratedSolid {
   /// Owned nodes of elements with a ghost: they are ghosts of others.
   [[nodiscard]] const std::vector<Index>& shared() const { return shared_; }
 
+  /// The place of a node of the body among the displacements there.
+  [[nodiscard]] Index number(Index node) const;
+  /// [owned nodes of the body, then ghosts][4], m; the last number of each means nothing.
+  [[nodiscard]] const accelerator::Array<double>& displacements() const;
+
   /// The states of some nodes, from the accelerator and to it.
   void read(NodeList& list, std::span<solid::NodeState> state) const;
   void write(NodeList& list, std::span<const solid::NodeState> state);
@@ -71,7 +76,6 @@ class AcceleratedSolid {
   void load_memory(solid::Solid& solid);
   void find_borders(const mesh::BodyPart& body);
   [[nodiscard]] bool owns(Index node) const { return node >= begin_ && node < begin_ + owned_; }
-  [[nodiscard]] Index number(Index node) const;
 
   Index begin_, owned_;  ///< the first owned node of the body, and how many there are
   double step_;

@@ -17,6 +17,10 @@
 #include "idiophone/solids/motion/step_limit.hpp"
 #include "idiophone/solids/solid/node_state.hpp"
 
+namespace idiophone::accelerated {
+class AcceleratedSolid;
+}
+
 namespace idiophone::motion {
 
 using solid::NodeForce;
@@ -108,14 +112,18 @@ class BodyModel {
   /// Brings the states of all owned nodes up to date.
   virtual void update_nodes(std::span<NodeState> state) = 0;
 
-  /// Brings the states of the owned nodes at the surface up to date, in finite elements that have them elsewhere.
-  virtual void update_surface(std::span<NodeState> /*state*/) {}
-
   /// Brings up to date what add_internal_force() and add_sums() need.
   virtual void update_all(std::span<NodeState> /*state*/) {}
 
   /// Of a body that moves by its modes, on the rank that has it.
   [[nodiscard]] virtual std::optional<ModalState> modal_state() const { return std::nullopt; }
+
+  /// Of a body that an accelerator has stepped: the present displacements of its nodes, those of ghosts included, are
+  /// there.
+  /// @param state  up to date for the ghosts
+  [[nodiscard]] virtual const accelerated::AcceleratedSolid* on_accelerator(std::span<const NodeState> /*state*/) {
+    return nullptr;
+  }
 
   /// Lumped mass of the owned nodes, kg. [owned nodes of the body]
   [[nodiscard]] virtual std::span<const double> masses() const = 0;

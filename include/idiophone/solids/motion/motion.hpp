@@ -69,8 +69,10 @@ class Motion {
   /// phase of contacts.
   void update_nodes() { dynamics_.update_nodes(state_); }
 
-  /// The same for the owned nodes at surfaces of finite elements.
-  void update_surface() { dynamics_.update_surface(state_); }
+  /// See BodyModel; between two calls of advance().
+  [[nodiscard]] const accelerated::AcceleratedSolid* on_accelerator(std::size_t body) {
+    return dynamics_.model(body).on_accelerator(state_);
+  }
 
   /// Adds what the bodies do now to their sums (see measure); changes nothing in the motion.
   /// @param sums  [bodies], then [pieces]
