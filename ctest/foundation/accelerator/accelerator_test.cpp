@@ -78,6 +78,22 @@ TEST_F(AcceleratorTest, CallsAKernelForEachNumberOfARange) {
   EXPECT_EQ(found, expected);
 }
 
+TEST_F(AcceleratorTest, AKernelKnowsNewArraysAndNumbersFromOldOnes) {
+  const Program program(*accelerator_,
+                        "kernel void set(int number, global int* numbers) { numbers[get_global_id(0)] = number; }");
+  Kernel set(program, "set");
+  std::uint64_t last = 0;
+  for (const int number : {1, 1, 2}) {
+    Array<int> numbers(*accelerator_, 128);  // where the last one was
+    EXPECT_GT(numbers.memory().number(), last);
+    last = numbers.memory().number();
+    set({128, 1, 1}, number, numbers);
+    std::vector<int> found(numbers.size());
+    numbers.read(found);
+    EXPECT_EQ(found, std::vector<int>(numbers.size(), number));
+  }
+}
+
 TEST_F(AcceleratorTest, SaysWhatItsCompilerSays) {
   EXPECT_THAT([this] { Program(*accelerator_, "kernel void wrong() { unknown(); }"); },
               ThrowsMessage<std::runtime_error>(HasSubstr("unknown")));

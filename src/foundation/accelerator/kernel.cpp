@@ -44,13 +44,14 @@ Kernel::Kernel(const Program& program, const char* name) : accelerator_(&program
   require_success(status, "find a kernel");
 }
 
-void Kernel::set(unsigned place, std::size_t bytes, const void* value) {
+void Kernel::set(unsigned place, std::size_t bytes, const void* value, std::uint64_t memory) {
   const std::span given(static_cast<const std::byte*>(value), bytes);
   arguments_.resize(std::max<std::size_t>(arguments_.size(), place + 1));
-  if (std::ranges::equal(arguments_[place], given)) {
+  Argument& known = arguments_[place];
+  if (known.memory == memory && std::ranges::equal(known.value, given)) {
     return;
   }
-  arguments_[place].assign(given.begin(), given.end());
+  known = {{given.begin(), given.end()}, memory};
   require_success(clSetKernelArg(static_cast<cl_kernel>(kernel_.get()), place, bytes, value), "set an argument");
 }
 

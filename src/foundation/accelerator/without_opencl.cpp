@@ -23,7 +23,7 @@ Accelerator::Accelerator(const std::string& /*wish*/, int /*turn*/) {
 
 // There is no accelerator that these could be called with.
 
-Memory::Memory(Accelerator& accelerator, std::size_t /*bytes*/) : accelerator_(&accelerator) {
+Memory::Memory(Accelerator& accelerator, std::size_t /*bytes*/) : accelerator_(&accelerator), number_(0) {
   refuse();
 }
 
@@ -43,7 +43,7 @@ Kernel::Kernel(const Program& program, const char* /*name*/) : accelerator_(&pro
   refuse();
 }
 
-void Kernel::set(unsigned /*place*/, std::size_t /*bytes*/, const void* /*value*/) {
+void Kernel::set(unsigned /*place*/, std::size_t /*bytes*/, const void* /*value*/, std::uint64_t /*memory*/) {
   refuse();
 }
 

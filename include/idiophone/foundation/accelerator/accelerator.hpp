@@ -2,6 +2,7 @@
 // Devices that compute beside the processor: graphics cards, and others that OpenCL knows.
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <string>
@@ -30,6 +31,8 @@ class Accelerator {
   [[nodiscard]] void* device() const { return device_; }
   [[nodiscard]] void* context() const { return context_.get(); }
   [[nodiscard]] void* queue() const { return queue_.get(); }
+  /// A number for each array: OpenCL uses handles again.
+  [[nodiscard]] std::uint64_t number_of_array() { return ++arrays_; }
   /// Keeps what the device still has to read.
   /// @param arrived  an event
   void keep(Handle arrived, std::vector<std::byte> bytes);
@@ -45,6 +48,7 @@ class Accelerator {
   std::string name_;
   bool has_doubles_ = false;
   Handle context_, queue_;
+  std::uint64_t arrays_ = 0;
   std::deque<Parcel> on_the_way_;  // oldest first
 };
 

@@ -21,9 +21,12 @@ class Memory {
   void read(std::size_t first, std::span<std::byte> bytes) const;
 
   [[nodiscard]] void* handle() const { return memory_.get(); }
+  /// No other memory of the accelerator has this number, also none that is made when this one is gone.
+  [[nodiscard]] std::uint64_t number() const { return number_; }
 
  private:
   Accelerator* accelerator_;
+  std::uint64_t number_;
   Handle memory_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -43,22 +44,28 @@ class Kernel {
   }
 
  private:
+  struct Argument {
+    std::vector<std::byte> value;
+    std::uint64_t memory = 0;
+  };
+
   template <class T>
   void set(unsigned place, const Array<T>& array) {
     void* const handle = array.memory().handle();
-    set(place, sizeof(handle), &handle);
+    set(place, sizeof(handle), &handle, array.memory().number());
   }
   template <class T>
   void set(unsigned place, const T& number) {
     static_assert(std::is_same_v<T, int> || std::is_same_v<T, float> || std::is_same_v<T, double>);
-    set(place, sizeof(T), &number);
+    set(place, sizeof(T), &number, 0);
   }
-  void set(unsigned place, std::size_t bytes, const void* value);
+  /// @param memory  that the value is the handle of; 0: it is a number
+  void set(unsigned place, std::size_t bytes, const void* value, std::uint64_t memory);
   void begin(const Range& range);
 
   Accelerator* accelerator_;
   Handle kernel_;
-  std::vector<std::vector<std::byte>> arguments_;  // as OpenCL knows them; most are the same in each step
+  std::vector<Argument> arguments_;  // as OpenCL knows them; most are the same in each step
 };
 
 }  // namespace idiophone::accelerator
