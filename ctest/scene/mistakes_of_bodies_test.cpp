@@ -7,6 +7,7 @@ namespace idiophone::scene {
 using MistakenBodies = Mistaken;
 
 TEST_F(MistakenBodies, Files) {
+  write("bell.h5", "");
   expect({
       {"plate.geo", "plaet.geo", "deck.yaml:6:17: bodies.plate.mesh: no such file: DIR/plaet.geo"},
       {"plate.geo", "shapes", "deck.yaml:6:17: bodies.plate.mesh: expected a file, found the folder DIR/shapes"},
@@ -16,8 +17,8 @@ TEST_F(MistakenBodies, Files) {
        "deck.yaml:6:17: bodies.plate.mesh: must end in .geo, .msh, .h5, .step, .stp, .brep, .stl, .obj, .gltf, .glb, "
        ".ply, "
        ".fbx, found 'deck.yaml'"},
-      {"plate.geo", "shapes/bar.msh, parameters: {side: 1}",
-       "deck.yaml:6:33: bodies.plate.parameters: a .msh file is a mesh already and has no parameters; leave them out"},
+      {"plate.geo", "bell.h5, parameters: {scale: 1}",
+       "deck.yaml:6:26: bodies.plate.parameters: a .h5 file is a mesh already and has no parameters; leave them out"},
       {"plate.geo", "plate.geo, parameters: {side: one}",
        "deck.yaml:6:47: bodies.plate.parameters.side: expected a number, found 'one'"},
       {"plate.geo", "plate.geo, parameters: [1]",
@@ -132,6 +133,7 @@ TEST_F(MistakenBodies, Rotations) {
 }
 
 TEST_F(MistakenBodies, Obstacles) {
+  write("bell.h5", "");
   const auto obstacle = [](const std::string& name, const std::string& keys) {
     return "contacts: {a: {between: [plate, " + name + "]}}\nobstacles: {" + name + ": {" + keys + "}}";
   };
@@ -163,8 +165,8 @@ TEST_F(MistakenBodies, Obstacles) {
        ".glb, "
        ".ply, .fbx, found "
        "'deck.yaml'"},
-      {obstacle("rock", "shape: surface, at: [0, 0, 0], mesh: shapes/bar.msh, parameters: {a: 1}"),
-       "deck.yaml:12:73: obstacles.rock.parameters: a .msh file is a mesh already and has no parameters; leave them "
+      {obstacle("rock", "shape: surface, at: [0, 0, 0], mesh: bell.h5, parameters: {a: 1}"),
+       "deck.yaml:12:66: obstacles.rock.parameters: a .h5 file is a mesh already and has no parameters; leave them "
        "out"},
       {"obstacles: {plate: {shape: sphere, at: [0, 0, 0], radius: 1}}",
        "deck.yaml:11:13: obstacles.plate: a body is called 'plate' already; contacts could not tell the two apart, so "

@@ -37,20 +37,15 @@ static bool read(const Node& node, Mistakes& mistakes, MeshingSettings& settings
 
 namespace {
 
-/// Whether a file is a mesh; the others are geometries.
-bool is_mesh(const std::filesystem::path& file) {
-  return file.extension() == ".msh" || file.extension() == ".h5";
-}
-
 template <class Shaped>
 void read_parameters(const Node& node, Mistakes& mistakes, Shaped& shaped) {
   if (node.kind != Node::Kind::map) {
     mistakes.add(node, "expected a map of numbers, found " + describe(node));
     return;
   }
-  if (is_mesh(shaped.mesh)) {
-    mistakes.add(node.key_where, fmt::format("{}: a {} file is a mesh already and has no parameters; leave them out",
-                                             node.path, shaped.mesh.extension().string()));
+  if (shaped.mesh.extension() == ".h5") {
+    mistakes.add(node.key_where,
+                 fmt::format("{}: a .h5 file is a mesh already and has no parameters; leave them out", node.path));
   }
   for (const Node& parameter : node.children) {
     read(parameter, mistakes, shaped.parameters[parameter.key], Range{});

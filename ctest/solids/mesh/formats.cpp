@@ -159,7 +159,29 @@ TEST(Formats, RefusesOtherParametersThanSizeAndScale) {
   EXPECT_THAT(refusal(body_of(file.path(), element::tet4, {{"size", -1.0}})), HasSubstr("above 0"));
   const TemporaryFile mesh("box.msh");
   write_box(mesh.path(), 3);
-  EXPECT_THAT(refusal(body_of(mesh.path(), element::tet4, {{"size", 1.0}})), HasSubstr("a .msh file has none"));
+  EXPECT_THAT(refusal(body_of(mesh.path(), element::tet4, {{"size", 1.0}})), HasSubstr("it has scale"));
+}
+
+TEST(Formats, AMeshHasItsUnitOfLength) {
+  const TemporaryFile file("box.msh");
+  write_box(file.path(), 3);  // 2 x 1 x 0.2
+  const Mesh metres = read_mesh(body_of(file.path(), element::tet4));
+  const Mesh hundreds = read_mesh(body_of(file.path(), element::tet4, {{"scale", 100.0}}));
+  EXPECT_TRUE(metres.notes.empty());
+  ASSERT_EQ(hundreds.notes.size(), 1U);
+  EXPECT_THAT(hundreds.notes[0],
+              HasSubstr("it is 200 m long. Is the file in another unit? `parameters: {scale: 0.001}`"));
+  ASSERT_EQ(hundreds.nodes.size(), metres.nodes.size());
+  for (std::size_t node = 0; node < metres.nodes.size(); ++node) {
+    EXPECT_EQ(hundreds.nodes[node], Vector3(100.0 * metres.nodes[node]));
+  }
+}
+
+TEST(Formats, AGeoFileThatIsTooLargeHasLengthsInMetres) {
+  const TemporaryFile file("box.geo", "SetFactory(\"OpenCASCADE\");\nBox(1) = {0, 0, 0, 350, 10, 10};\n");
+  const Mesh mesh = read_mesh(body_of(file.path(), element::tet4));
+  ASSERT_EQ(mesh.notes.size(), 1U);
+  EXPECT_THAT(mesh.notes[0], HasSubstr("it is 350 m long. Lengths in a .geo file are metres"));
 }
 
 TEST(Formats, RefusesAnOpenStl) {

@@ -45,13 +45,14 @@ const deck::Location& place_of(const scene::Body& body, const std::string& param
   return found == body.parameters_where.end() ? body.mesh_where : found->second;
 }
 
-/// The parameters of files other than .geo: `size` for geometries, none for meshes.
+/// The parameters of files other than .geo: `size` for geometries, `scale` for them and for meshes.
 void check_parameters(const scene::Body& body, FileFormat format) {
   for (const auto& [name, value] : body.parameters) {
-    if (format == FileFormat::msh || (name != "size" && name != "scale") || !(value > 0.0)) {
+    const bool is_known = name == "scale" || (name == "size" && format != FileFormat::msh);
+    if (!is_known || !(value > 0.0)) {
       throw deck::DeckError(place_of(body, name),
                             fmt::format("{} takes no parameter {} = {}: {}", body.mesh.string(), name, value,
-                                        format == FileFormat::msh ? "a .msh file has none"
+                                        format == FileFormat::msh ? "it has scale, its unit (m), above 0"
                                                                   : "it has size, the largest element size (m), and "
                                                                     "scale, its unit (m), both above 0"));
     }

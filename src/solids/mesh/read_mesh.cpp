@@ -21,11 +21,14 @@ namespace idiophone::mesh {
 namespace {
 
 /// Asks about the unit of length of a part that is too small or too large to be a likely thing; otherwise empty.
-std::string unit_question(const std::vector<Vector3>& nodes) {
+std::string unit_question(const std::filesystem::path& file, const std::vector<Vector3>& nodes) {
   constexpr double shortest = 2e-3, longest = 20.0;  // m
   const double length = nodes.empty() ? 0.0 : bounding_box(nodes).sizes().maxCoeff();
   if (nodes.empty() || (length >= shortest && length <= longest)) {
     return "";
+  }
+  if (file.extension() == ".geo") {
+    return fmt::format("it is {:.4g} m long. Lengths in a .geo file are metres", length);
   }
   return fmt::format("it is {:.4g} m long. Is the file in another unit? `parameters: {{scale: {}}}` makes it {:.4g} m",
                      length, length > longest ? "0.001" : "1000", length > longest ? 1e-3 * length : 1e3 * length);
@@ -50,8 +53,8 @@ GmshMesh read_file(const scene::Body& body, Answers& known) {
   if (loaded.made_here) {
     loaded.mesh.notes.push_back(straighten_distorted(loaded.mesh));
   }
-  if (loaded.made_here && body.mesh.extension() != ".geo") {
-    loaded.mesh.notes.push_back(unit_question(loaded.mesh.nodes));
+  if (!loaded.is_stored) {
+    loaded.mesh.notes.push_back(unit_question(body.mesh, loaded.mesh.nodes));
   }
   drop_unused_nodes(body, loaded);
   if (element::has_choice_of_orders(body.element) && !loaded.is_stored) {
