@@ -38,7 +38,7 @@ const scene::Material fibres = crystal(scene::Symmetry::hexagonal, {14e9, 7e9, 6
 
 /// A block of three different sides.
 scene::Scene turned_block_of(const scene::Material& material) {
-  scene::Scene scene = bar_scene({0.03, 0.025, 0.02}, 0.03, 5);
+  scene::Scene scene = bar_scene({0.03, 0.025, 0.02}, 0.03, 4);
   scene.materials = {material};
   return scene;
 }
