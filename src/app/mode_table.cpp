@@ -86,6 +86,23 @@ void print_mode(const ModeTable& table, std::size_t number, const std::string& s
   fmt::print("{}{}{}\n", shares, has_kinds(table) ? "  " : "", table.kinds[number]);
 }
 
+/// How far the two modes of a pair are apart, where the shape of a round body parts them most; empty below a cent.
+std::string split_in_words(const ModeTable& table) {
+  double widest = 1.0;  // cents
+  std::string words;
+  for (std::size_t mode = 0; table.is_round && mode + 1 < table.modes.size(); ++mode) {
+    const double apart = partials::cents(table.modes[mode + 1].frequency, table.modes[mode].frequency);
+    if (table.kinds[mode].starts_with('(') && table.kinds[mode + 1] == table.kinds[mode] && apart > widest) {
+      widest = apart;
+      words = fmt::format(
+          "(modes {} and {} are one pair and {:.1f} cents apart, because the mesh, the body or what holds it is not "
+          "quite round)\n",
+          mode + 1, mode + 2, apart);
+    }
+  }
+  return words;
+}
+
 }  // namespace
 
 std::vector<partials::References> references_of(const scene::Scene& scene) {
@@ -105,6 +122,7 @@ void print(const ModeTable& table) {
   if (table.bounds) {
     fmt::print("({})\n", assumption(*table.bounds));
   }
+  fmt::print("{}", split_in_words(table));
   if (!table.references.empty()) {
     fmt::print("(under each set of references: cents from the nearest of them, within {:g})\n", table.tolerance);
   }

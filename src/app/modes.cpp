@@ -19,6 +19,7 @@
 #include "idiophone/scene/find_body.hpp"
 #include "idiophone/scene/joined_bodies.hpp"
 #include "idiophone/solids/eigenmodes/whole_shapes.hpp"
+#include "idiophone/study/mode_kinds/mode_kinds.hpp"
 #include "idiophone/study/mode_pictures/mode_pictures.hpp"
 #include "mode_bounds.hpp"
 #include "mode_table.hpp"
@@ -189,7 +190,8 @@ int modes(const ModesOptions& options) {
     }
     answer(options, known,
            {known.its.found.modes, known.mesh_errors, known.air.value_or(AirOfModes{}), known.bounds, known.kinds,
-            names_of(scene.bodies), references_of(scene), options.tolerance});
+            names_of(scene.bodies), references_of(scene), options.tolerance,
+            meshes.size() == 1 && mode_kinds::is_round(meshes.front().nodes)});
     if (!known.left_out.empty()) {
       say_left_out(known.left_out);
     }

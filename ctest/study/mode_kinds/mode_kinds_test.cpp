@@ -150,6 +150,9 @@ TEST(ModeKinds, OfADiscAndAShell) {
   EXPECT_THAT(
       turned_kinds(tube, {in_plane(2, 0, even), in_plane(3, 0, wave), in_plane(0, 0, even), in_plane(0, pi / 2, wave)}),
       testing::ElementsAre("(2, 0)", "(3, 1)", "(0, 0)", "torsion 1"));
+  EXPECT_TRUE(is_round(disc));
+  EXPECT_TRUE(is_round(tube));
+  EXPECT_FALSE(is_round(box({1, 1, 0.05}, {8, 8, 2})));
 }
 
 TEST(ModeKinds, OfABarOnSoftSupportsAreRigidMotionsBelowThoseOfTheBar) {

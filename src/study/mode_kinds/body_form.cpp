@@ -34,7 +34,7 @@ BodyForm box_along(std::span<const Vector3> nodes, const Eigen::Matrix3d& axes) 
 }
 
 /// Whether all slices of a body across the last axis of its box have round outlines.
-bool is_round(std::span<const Vector3> nodes, const BodyForm& box) {
+bool has_round_slices(std::span<const Vector3> nodes, const BodyForm& box) {
   constexpr std::size_t slices = 4, sectors = 12;
   constexpr double least_ratio = 0.95;
   std::array<std::array<double, sectors>, slices> radius{};
@@ -60,7 +60,7 @@ std::vector<BodyForm> round_forms(std::span<const Vector3> nodes, const BodyForm
       turned.axes.col(i) = box.axes.col((last + 1 + i) % 3);
       turned.extents[i] = box.extents[(last + 1 + i) % 3];
     }
-    if (is_round(nodes, turned)) {
+    if (has_round_slices(nodes, turned)) {
       turned.kind = turned.extents[2] <= 0.25 * turned.extents[0] ? Kind::disc : Kind::shell;
       found.push_back(turned);
     }

@@ -98,6 +98,11 @@ int sign_changes(const std::vector<double>& values, double share) {
   return changes;
 }
 
+bool is_round(std::span<const Vector3> nodes) {
+  const BodyForm::Kind kind = form_of(nodes).kind;
+  return kind == BodyForm::Kind::disc || kind == BodyForm::Kind::shell;
+}
+
 std::vector<std::string> kinds_of(std::span<const Vector3> nodes, const std::vector<std::vector<double>>& shapes) {
   Names names(nodes);
   std::vector<std::string> kinds;

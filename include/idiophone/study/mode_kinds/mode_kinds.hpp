@@ -20,6 +20,10 @@ namespace idiophone::mode_kinds {
 [[nodiscard]] std::vector<std::string> kinds_of(std::span<const Vector3> nodes,
                                                 const std::vector<std::vector<double>>& shapes);
 
+/// Whether the kinds are those of a round body. Its modes "(m, n)" with m > 0 come in pairs of one frequency.
+/// @param nodes  m
+[[nodiscard]] bool is_round(std::span<const Vector3> nodes);
+
 /// One of several bodies that joints tie together.
 struct JoinedBody {
   std::string name;
