@@ -15,6 +15,7 @@
 #include "modal_preparation.hpp"
 #include "preparation_report.hpp"
 #include "reading_in_parts.hpp"
+#include "root_elements.hpp"
 #include "steps.hpp"
 
 namespace idiophone::bodies {
@@ -78,7 +79,7 @@ void check_placement(const Preparation& ready, const std::vector<mesh::Mesh>& me
 
 /// Finds everything but the meshes. Collective.
 /// @param ready       with the scene and the offsets, and the statistics where bodies move by their modes
-/// @param meshes      on rank 0; without elements where they are read in parts
+/// @param meshes      on rank 0; with nodes_of_root_elements() alone where they are read in parts
 /// @param distribute  gives this rank its part, and rank 0 the statistics if there are none yet. Collective.
 template <class Distribute>
 Preparation complete(Preparation ready, const std::vector<mesh::Mesh>& meshes, const Distribute& distribute,
@@ -144,12 +145,19 @@ PreparedMeshes prepare_with_meshes(scene::Scene scene, MPI_Comm communicator) {
   ready.scene = std::move(scene);
   mesh::MeshShares shares = mesh::read_shares(ready.scene.bodies, communicator);
   ready.offsets = shares.offsets;
+  std::vector<std::vector<Index>> nodes;
+  parallel::on_root(communicator, [&] { nodes = nodes_of_root_elements(ready.scene, shares.outlines); });
+  mesh::give_root_elements(ready.scene.bodies, shares, std::move(nodes), communicator);
   const auto distribute = [&](Preparation& to) {
     mesh::ReadPart read = mesh::read_part(to.scene.bodies, shares, motion::coupled_nodes(to.attachments), communicator);
     to.part = std::move(read.part);
     to.statistics = std::move(read.statistics);
   };
   ready = complete(std::move(ready), shares.outlines, distribute, communicator);
+  for (mesh::Mesh& outline : shares.outlines) {
+    outline.elements = std::vector<Index>();  // frees its memory, which {} does not
+    outline.regions = std::vector<Index>();
+  }
   return {std::move(ready), std::move(shares.outlines)};
 }
 

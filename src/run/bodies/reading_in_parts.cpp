@@ -13,14 +13,13 @@ namespace {
 
 constexpr std::int64_t many_elements = 4'000'000;
 
-/// Modes, cracks, static equilibria, contacts and joints are found with whole bodies. Mass scaling needs columns of
-/// nodes that one rank owns.
+/// Modes and cracks are found with whole bodies.
 bool is_plain(const scene::Body& body) {
-  return mesh::fits_parts(body) && !body.modal && !body.prestress && body.fracture.empty() && !body.mass_scaling;
+  return mesh::fits_parts(body) && !body.modal && body.fracture.empty();
 }
 
 bool is_plain(const scene::Scene& scene) {
-  return scene.contacts.empty() && scene.joints.empty() && scene.plucks.empty() && !scene.bodies.empty() &&
+  return !scene.bodies.empty() &&
          std::ranges::all_of(scene.bodies, [](const scene::Body& body) { return is_plain(body); });
 }
 

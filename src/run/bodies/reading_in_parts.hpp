@@ -8,7 +8,7 @@
 namespace idiophone::bodies {
 
 /// Whether the ranks read parts of the meshes (mesh/meshes_in_parts.hpp): all meshes can be read so, nothing in the
-/// scene needs the elements of a whole body or columns of nodes on one rank, and there are many elements. PETSc's
+/// scene needs the modes of a whole body or surfaces along which it breaks, and there are many elements. PETSc's
 /// option -meshes_in_parts yes or no replaces the last condition. The same on all ranks. Collective.
 [[nodiscard]] bool reads_in_parts(const scene::Scene& scene, MPI_Comm communicator);
 

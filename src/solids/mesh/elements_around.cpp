@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "compressed_rows.hpp"
-#include "curve_division.hpp"
 #include "idiophone/foundation/each_once.hpp"
+#include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/exchange.hpp"
 #include "neighbourhood.hpp"
@@ -44,18 +44,17 @@ std::vector<Index> numbers_of(const ElementRows& rows, std::size_t elements, MPI
   return numbers;
 }
 
-/// The ranks that compute each element, as lists of places in the rows.
-CompressedRows takers_of(const ElementRows& rows, std::size_t width, Index first_node,
-                         const std::vector<Index>& first) {
-  return {static_cast<Index>(first.size()) - 1, [&](auto take) {
+/// The processes that compute each element, as lists of places in the rows.
+CompressedRows takers_of(const ElementRows& rows, std::size_t width, Index first_node, const NodeDivision& division) {
+  return {division.processes(), [&](auto take) {
             std::vector<int> owners;
             for (std::size_t place = 0; place * width < rows.nodes.size(); ++place) {
               owners.clear();
               for (const Index node : std::span(rows.nodes).subspan(place * width, width)) {
-                owners.push_back(owner_of(first_node + node, first));
+                owners.push_back(division.process_of(first_node + node));
               }
               keep_each_once(owners);
-              std::ranges::for_each(owners, [&](int rank) { take(rank, static_cast<Index>(place)); });
+              std::ranges::for_each(owners, [&](int process) { take(process, static_cast<Index>(place)); });
             }
           }};
 }
@@ -77,38 +76,77 @@ void order_by_region(const std::vector<Index>& counts, std::vector<ElementNumber
   std::ranges::sort(numbers, {}, &ElementNumbers::in_body);
 }
 
-}  // namespace
+/// Elements on their way to other ranks.
+struct Parcel {
+  std::vector<int> counts;              ///< [ranks] elements for each
+  std::vector<ElementNumbers> numbers;  ///< [elements] rank by rank
+  std::vector<Index> nodes;             ///< [nodes per element x elements] likewise, numbers in the body
+};
 
-Neighbourhood elements_around(ElementRows rows, const scene::Body& body, Index first_node,
-                              const std::vector<Index>& first, MPI_Comm communicator) {
-  const auto width = static_cast<std::size_t>(element::node_count(body.element));
-  std::vector<int> counts;
-  std::vector<ElementNumbers> numbers;
-  std::vector<Index> nodes;
-  const CompressedRows takers = takers_of(rows, width, first_node, first);
+/// Collective.
+/// @param takers  [ranks] places in the rows
+Parcel pack(const ElementRows& rows, std::size_t width, const CompressedRows& takers, MPI_Comm communicator) {
   const std::vector<Index> own = numbers_of(rows, rows.nodes.size() / width, communicator);
+  Parcel parcel;
   for (int rank = 0; rank < parallel::size_of(communicator); ++rank) {
-    counts.push_back(static_cast<int>(takers[rank].size()));
+    parcel.counts.push_back(static_cast<int>(takers[rank].size()));
     for (const Index place : takers[rank]) {
-      numbers.push_back({own[place], rows.begin + place});
+      parcel.numbers.push_back({own[place], rows.begin + place});
       std::ranges::copy(std::span(rows.nodes).subspan(static_cast<std::size_t>(place) * width, width),
-                        std::back_inserter(nodes));
+                        std::back_inserter(parcel.nodes));
     }
   }
-  rows.nodes = std::vector<Index>();  // frees its memory, which {} does not
+  return parcel;
+}
+
+/// What this rank takes of all ranks' parcels. Collective.
+/// @param region_counts  as ElementRows has them
+Neighbourhood take(const Parcel& parcel, const scene::Body& body, const std::vector<Index>& region_counts,
+                   MPI_Comm communicator) {
+  const auto width = static_cast<std::size_t>(element::node_count(body.element));
   Neighbourhood result;
   Mesh& mesh = result.loaded.mesh;
   mesh.element = body.element;
-  mesh.elements = parallel::exchange<Index>(nodes, counts, communicator, width);
-  numbers = parallel::exchange<ElementNumbers>(numbers, counts, communicator);
-  if (!rows.region_counts.empty()) {
-    order_by_region(rows.region_counts, numbers, mesh);
+  mesh.elements = parallel::exchange<Index>(parcel.nodes, parcel.counts, communicator, width);
+  auto numbers = parallel::exchange<ElementNumbers>(parcel.numbers, parcel.counts, communicator);
+  if (!region_counts.empty()) {
+    order_by_region(region_counts, numbers, mesh);
   }
   for (const auto& [in_body, in_file] : numbers) {
     result.numbers.push_back(in_body);
     result.loaded.element_tags.push_back(static_cast<std::size_t>(in_file));
   }
   return result;
+}
+
+}  // namespace
+
+Neighbourhood elements_around(ElementRows rows, const scene::Body& body, Index first_node, const NodeDivision& division,
+                              MPI_Comm communicator) {
+  const auto width = static_cast<std::size_t>(element::node_count(body.element));
+  const Parcel parcel = pack(rows, width, takers_of(rows, width, first_node, division), communicator);
+  rows.nodes = std::vector<Index>();  // frees its memory, which {} does not
+  return take(parcel, body, rows.region_counts, communicator);
+}
+
+void give_root_elements(const ElementRows& rows, const scene::Body& body, std::vector<Index> nodes, Mesh& outline,
+                        MPI_Comm communicator) {
+  parallel::broadcast(nodes, communicator);
+  if (nodes.empty()) {
+    return;
+  }
+  const auto width = static_cast<std::size_t>(element::node_count(body.element));
+  const CompressedRows takers(parallel::size_of(communicator), [&](auto give) {
+    for (std::size_t place = 0; place * width < rows.nodes.size(); ++place) {
+      if (std::ranges::any_of(std::span(rows.nodes).subspan(place * width, width),
+                              [&](Index node) { return std::ranges::binary_search(nodes, node); })) {
+        give(0, static_cast<Index>(place));
+      }
+    }
+  });
+  Mesh taken = take(pack(rows, width, takers, communicator), body, rows.region_counts, communicator).loaded.mesh;
+  outline.elements = std::move(taken.elements);
+  outline.regions = std::move(taken.regions);
 }
 
 }  // namespace idiophone::mesh

@@ -13,6 +13,7 @@
 #include "load_mesh_file.hpp"
 #include "mesh_file_paths.hpp"
 #include "mesh_table_reader.hpp"
+#include "neighbourhood.hpp"
 #include "part_reader.hpp"
 #include "put_in_place.hpp"
 
@@ -92,9 +93,25 @@ MeshShares read_shares(std::span<const scene::Body> bodies, MPI_Comm communicato
   return shares;
 }
 
+void give_root_elements(std::span<const scene::Body> bodies, MeshShares& meshes, std::vector<std::vector<Index>> nodes,
+                        MPI_Comm communicator) {
+  nodes.resize(bodies.size());
+  Mesh none;
+  for (std::size_t body = 0; body < bodies.size(); ++body) {
+    give_root_elements(meshes.rows[body], bodies[body], std::move(nodes[body]),
+                       meshes.outlines.empty() ? none : meshes.outlines[body], communicator);
+  }
+}
+
 ReadPart read_part(std::span<const scene::Body> bodies, MeshShares& meshes, std::span<const std::vector<Index>> coupled,
                    MPI_Comm communicator) {
   return PartReader(bodies, meshes, coupled, communicator).read();
+}
+
+void for_each_part_in_rows(std::span<const scene::Body> bodies, MeshShares& meshes,
+                           std::span<const std::vector<Index>> coupled, int ranks,
+                           const std::function<void(const Part&)>& visit, MPI_Comm communicator) {
+  PartReader(bodies, meshes, coupled, communicator).for_each_part(ranks, visit);
 }
 
 }  // namespace idiophone::mesh

@@ -37,13 +37,13 @@ std::vector<Vector3> read_nodes(const scene::Body& body, std::span<const std::si
   return nodes;
 }
 
-std::vector<Triangle> read_triangles(const scene::Body& body, Index begin, Index end,
-                                     std::span<const std::size_t> numbers) {
-  auto triangles = MeshTables(body.mesh).read_rows<Index, Triangle>(mesh_file::surface, 3, begin, end);
-  for (Triangle& triangle : triangles) {
-    std::ranges::for_each(triangle, [&](Index& node) { node = place_of(node, numbers); });
-  }
-  return triangles;
+std::vector<Triangle> read_triangles(const scene::Body& body, Index begin, Index end) {
+  return MeshTables(body.mesh).read_rows<Index, Triangle>(mesh_file::surface, 3, begin, end);
+}
+
+Triangle in_places(Triangle triangle, std::span<const std::size_t> numbers) {
+  std::ranges::for_each(triangle, [&](Index& node) { node = place_of(node, numbers); });
+  return triangle;
 }
 
 }  // namespace idiophone::mesh

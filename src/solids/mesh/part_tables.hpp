@@ -14,10 +14,13 @@ namespace idiophone::mesh {
 /// @throws std::runtime_error if they can't be read
 [[nodiscard]] std::vector<Vector3> read_nodes(const scene::Body& body, std::span<const std::size_t> numbers);
 
-/// The triangles of the surface from `begin` to before `end`, as places of their nodes in a list.
+/// The triangles of the surface from `begin` to before `end`.
+/// @throws std::runtime_error if they can't be read
+[[nodiscard]] std::vector<Triangle> read_triangles(const scene::Body& body, Index begin, Index end);
+
+/// A triangle as places of its nodes in a list.
 /// @param numbers  of the nodes in the list, ascending
-/// @throws std::runtime_error if they can't be read, or one has another node
-[[nodiscard]] std::vector<Triangle> read_triangles(const scene::Body& body, Index begin, Index end,
-                                                   std::span<const std::size_t> numbers);
+/// @throws std::runtime_error if it has another node
+[[nodiscard]] Triangle in_places(Triangle triangle, std::span<const std::size_t> numbers);
 
 }  // namespace idiophone::mesh

@@ -3,10 +3,12 @@
 // that compute them. Rank 0 has the outlines: the nodes, the surfaces and the groups.
 //
 // A rank owns a range of the numbers of the nodes, which run along a space-filling curve: METIS would need the whole
-// mesh. The parts are otherwise those of distribute(), so a run has the same bits.
+// mesh. Of bodies with mass scaling, it owns whole columns. The parts are otherwise those of distribute(), so a run has
+// the same bits.
 
 #include <mpi.h>
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -43,6 +45,12 @@ struct MeshShares {
 /// @throws deck::DeckError on rank 0, as read_meshes(), and parallel::RemoteFailure elsewhere
 [[nodiscard]] MeshShares read_shares(std::span<const scene::Body> bodies, MPI_Comm communicator);
 
+/// Gives the outlines the elements that have any of some nodes, in the order of the meshes. Collective.
+/// @param meshes  with rows
+/// @param nodes   on rank 0, [bodies] numbers in the body, ascending
+void give_root_elements(std::span<const scene::Body> bodies, MeshShares& meshes, std::vector<std::vector<Index>> nodes,
+                        MPI_Comm communicator);
+
 struct ReadPart {
   Part part;                           ///< of this rank
   std::vector<Statistics> statistics;  ///< [bodies], on rank 0. Sums over elements depend on the ranks by rounding
@@ -56,5 +64,13 @@ struct ReadPart {
 ///         unfit elements; std::runtime_error, on every rank, where there are too many ranks
 [[nodiscard]] ReadPart read_part(std::span<const scene::Body> bodies, MeshShares& meshes,
                                  std::span<const std::vector<Index>> coupled, MPI_Comm communicator);
+
+/// Calls visit(part) with the part of each of so many ranks, as read_part() would make them, but in the axes of the
+/// files, and without checks. Each process visits some, one after another: process 0 the first ones. Collective.
+/// @param ranks  that share the bodies, at least as many as processes
+/// @throws as read_part()
+void for_each_part_in_rows(std::span<const scene::Body> bodies, MeshShares& meshes,
+                           std::span<const std::vector<Index>> coupled, int ranks,
+                           const std::function<void(const Part&)>& visit, MPI_Comm communicator);
 
 }  // namespace idiophone::mesh
