@@ -146,6 +146,24 @@ class MeshesInParts(DecksWithMeshFiles):
                     self.assertAlmostEqual(in_parts[name]["regions"][number]["mass"] / region["mass"], 1, delta=1e-12)
 
 
+    def test_check_predicts_the_parts_of_more_ranks_than_processes(self):
+        deck = self.joined_deck()
+        run = self.run_deck(deck, "run", ranks=3)
+        self.require_status(run, program.FINISHED)
+        job = program.idiophone("info", "--json", self.output / "run/joined.h5")
+        largest_part = json.loads(job.stdout)["run"]["jobs"][0]["largest_part"]
+        self.assertGreater(largest_part["ghost_nodes"], 0)
+        for processes in 1, 2:
+            job = program.idiophone("check", "--json", deck, "--ranks", 3, ranks=processes, environment=PARTS)
+            self.require_status(job, program.FINISHED)
+            self.assertIn(SAYS_SO, job.stdout + job.stderr)
+            prediction = json.loads(job.stdout[job.stdout.index("{"):])["prediction"]
+            self.assertEqual(prediction["largest_part"], largest_part)
+            self.assertTrue(0 < prediction["speed_up"] <= 3, prediction)
+        job = program.idiophone("check", deck, "--ranks", 1, ranks=2, environment=PARTS)
+        self.require_status(job, program.FAILED)
+        self.assertIn("2 processes are too many for the parts of 1 ranks: use at most 1", job.stderr)
+
     def test_what_needs_whole_meshes_reads_them(self):
         lines = program.deck("breaking").read_text().splitlines()
         text = "\n".join(line for line in lines if not line.strip().startswith("parameters:"))

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <stdexcept>
 #include <utility>
 #include <vector>
 
@@ -149,17 +148,6 @@ void list_faces(const CheckOptions& options) {
   });
 }
 
-/// The prediction for other ranks needs whole meshes. Collective.
-bodies::PreparedMeshes prepare(const CheckOptions& options) {
-  scene::Scene scene = bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
-  if (!options.prediction.ranks) {
-    return bodies::prepare_with_meshes(std::move(scene), MPI_COMM_WORLD);
-  }
-  std::vector<mesh::Mesh> meshes = bodies::read_meshes(scene.bodies, MPI_COMM_WORLD);
-  bodies::Preparation ready = bodies::prepare(std::move(scene), meshes, MPI_COMM_WORLD);
-  return {std::move(ready), std::move(meshes)};
-}
-
 int check(const CheckOptions& options) {
   if (options.style == Style::deck) {
     parallel::on_root(MPI_COMM_WORLD, [&] { fmt::print("{}", scene::resolved_deck(options.deck, options.overrides)); });
@@ -169,28 +157,29 @@ int check(const CheckOptions& options) {
     list_faces(options);
     return loop::exit_finished;
   }
-  if (options.prediction.ranks && parallel::size_of(MPI_COMM_WORLD) > 1) {
-    throw std::runtime_error("check --ranks predicts a run on one process: start it without mpirun");
-  }
   const double program = loop::peak_memory();
   const double begun = advice::processor_clock();
-  const auto [ready, meshes] = prepare(options);
+  bodies::PreparedMeshes prepared =
+      bodies::prepare_with_meshes(bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD), MPI_COMM_WORLD,
+                                  options.prediction.ranks ? bodies::ReadRows::keep : bodies::ReadRows::drop);
+  const bodies::Preparation& ready = prepared.ready;
   const double preparation = parallel::largest(advice::processor_clock() - begun, MPI_COMM_WORLD);
   const advice::StepMeasurement measured = advice::measure_steps(ready, program, MPI_COMM_WORLD);
   std::optional<advice::RankPrediction> prediction;  // before the rehearsal, which needs memory of its own
   if (options.prediction.ranks) {
-    prediction = advice::predict_ranks(ready, meshes, *options.prediction.ranks, measured.step,
-                                       network_of(options.prediction), measured.memory);
+    prediction = advice::predict_ranks(prepared, *options.prediction.ranks, measured, network_of(options.prediction),
+                                       MPI_COMM_WORLD);
   }
   const std::optional<waves::Plan> waves = plan_of_waves(ready);
   const double needed = parallel::sum(measured.memory.of(ready.part), MPI_COMM_WORLD) + (waves ? waves->bytes() : 0.0);
   const double memory = loop::memory_of_machines(MPI_COMM_WORLD);
   const advice::RehearsedSample sample = advice::rehearse(ready, MPI_COMM_WORLD);
   if (prediction && waves) {
+    const double of_all = sample.radiation * parallel::size_of(MPI_COMM_WORLD);
     prediction->waves =
-        advice::predict_waves(*waves, *options.prediction.ranks, sample.radiation / waves->steps, prediction->network);
+        advice::predict_waves(*waves, *options.prediction.ranks, of_all / waves->steps, prediction->network);
   }
-  if (!options.prediction.exchanges.empty()) {
+  if (!options.prediction.exchanges.empty() && parallel::is_root(MPI_COMM_WORLD)) {
     write_exchanges(*prediction, options.prediction.exchanges);
   }
   const std::vector<advice::ContactCost> contacts =
@@ -200,8 +189,8 @@ int check(const CheckOptions& options) {
     return loop::exit_finished;
   }
   const advice::RunCosts costs = advice::run_costs(ready, {preparation, sample, contacts}, needed, MPI_COMM_WORLD);
-  const std::vector<advice::CrossSection> sections = sections_of(ready.scene, meshes);
-  const std::vector<std::optional<advice::PitchEstimate>> estimates = pitch_estimates(ready, meshes);
+  const std::vector<advice::CrossSection> sections = sections_of(ready.scene, prepared.meshes);
+  const std::vector<std::optional<advice::PitchEstimate>> estimates = pitch_estimates(ready, prepared.meshes);
   if (options.style == Style::json) {
     print_json(ready, advice::facts_of(costs, ready.scene, contacts), estimates, sections, sheets,
                wanted_accuracy(options), prediction);

@@ -11,8 +11,10 @@ namespace idiophone::app {
 
 void add_ranks(CLI::App& app, RankOptions& options) {
   CLI::Option* ranks =
-      app.add_option("-n,--ranks", options.ranks,
-                     "predict sizes, memory and speed-up of a run on so many ranks; start without mpirun")
+      app.add_option(
+             "-n,--ranks", options.ranks,
+             "predict sizes, memory and speed-up of a run on so many ranks; start without mpirun unless meshes are "
+             "read in parts")
           ->check(CLI::Range(1, 1 << 20));
   app.add_option("--latency", options.latency,
                  "s: of a message between two ranks, for --ranks (default: 2e-6, or 4e-7 if this machine has a "

@@ -190,7 +190,8 @@ TEST_F(MeshesInParts, AreDividedAmongMoreRanksThanProcesses) {
   MeshShares shares = read_shares(bodies, MPI_COMM_WORLD);
   std::vector<Part> parts;
   for_each_part_in_rows(
-      bodies, shares, coupled, 7, [&](const Part& part) { parts.push_back(part); }, MPI_COMM_WORLD);
+      bodies, shares.outlines, shares.offsets, shares.rows, coupled, 7,
+      [&](const Part& part) { parts.push_back(part); }, MPI_COMM_WORLD);
   const int begin = 7 * parallel::rank_of(MPI_COMM_WORLD) / parallel::size_of(MPI_COMM_WORLD);
   PartBuilder builder(whole, owners_in([&](const auto& visit) {
                         for (std::size_t place = 0; place < parts.size(); ++place) {

@@ -11,7 +11,6 @@
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
 #include "idiophone/solids/contact/outline.hpp"
-#include "idiophone/solids/mesh/meshes_in_parts.hpp"
 #include "modal_preparation.hpp"
 #include "preparation_report.hpp"
 #include "reading_in_parts.hpp"
@@ -132,11 +131,11 @@ std::vector<mesh::Mesh> read_meshes(std::span<const scene::Body> bodies, MPI_Com
   return meshes;
 }
 
-PreparedMeshes prepare_with_meshes(scene::Scene scene, MPI_Comm communicator) {
+PreparedMeshes prepare_with_meshes(scene::Scene scene, MPI_Comm communicator, ReadRows rows) {
   if (!reads_in_parts(scene, communicator)) {
     std::vector<mesh::Mesh> meshes = read_meshes(scene.bodies, communicator);
     Preparation ready = prepare(std::move(scene), meshes, communicator);
-    return {std::move(ready), std::move(meshes)};
+    return {std::move(ready), std::move(meshes), {}};
   }
   if (parallel::is_root(communicator)) {
     spdlog::info("each rank reads its part of the meshes");
@@ -148,6 +147,7 @@ PreparedMeshes prepare_with_meshes(scene::Scene scene, MPI_Comm communicator) {
   std::vector<std::vector<Index>> nodes;
   parallel::on_root(communicator, [&] { nodes = nodes_of_root_elements(ready.scene, shares.outlines); });
   mesh::give_root_elements(ready.scene.bodies, shares, std::move(nodes), communicator);
+  std::vector<mesh::ElementRows> kept = rows == ReadRows::keep ? shares.rows : std::vector<mesh::ElementRows>();
   const auto distribute = [&](Preparation& to) {
     mesh::ReadPart read = mesh::read_part(to.scene.bodies, shares, motion::coupled_nodes(to.attachments), communicator);
     to.part = std::move(read.part);
@@ -158,7 +158,7 @@ PreparedMeshes prepare_with_meshes(scene::Scene scene, MPI_Comm communicator) {
     outline.elements = std::vector<Index>();  // frees its memory, which {} does not
     outline.regions = std::vector<Index>();
   }
-  return {std::move(ready), std::move(shares.outlines)};
+  return {std::move(ready), std::move(shares.outlines), std::move(kept)};
 }
 
 Preparation prepare(scene::Scene scene, MPI_Comm communicator) {

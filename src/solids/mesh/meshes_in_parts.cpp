@@ -1,7 +1,10 @@
 #include "idiophone/solids/mesh/meshes_in_parts.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
+#include <stdexcept>
 #include <utility>
 
 #include "checks.hpp"
@@ -105,13 +108,18 @@ void give_root_elements(std::span<const scene::Body> bodies, MeshShares& meshes,
 
 ReadPart read_part(std::span<const scene::Body> bodies, MeshShares& meshes, std::span<const std::vector<Index>> coupled,
                    MPI_Comm communicator) {
-  return PartReader(bodies, meshes, coupled, communicator).read();
+  return PartReader(bodies, meshes.outlines, meshes.offsets, meshes.rows, coupled, communicator).read();
 }
 
-void for_each_part_in_rows(std::span<const scene::Body> bodies, MeshShares& meshes,
+void for_each_part_in_rows(std::span<const scene::Body> bodies, const std::vector<Mesh>& outlines,
+                           const Offsets& offsets, std::vector<ElementRows>& rows,
                            std::span<const std::vector<Index>> coupled, int ranks,
                            const std::function<void(const Part&)>& visit, MPI_Comm communicator) {
-  PartReader(bodies, meshes, coupled, communicator).for_each_part(ranks, visit);
+  if (const int processes = parallel::size_of(communicator); ranks < processes) {
+    throw std::runtime_error(
+        fmt::format("{} processes are too many for the parts of {} ranks: use at most {}", processes, ranks, ranks));
+  }
+  PartReader(bodies, outlines, offsets, rows, coupled, communicator).for_each_part(ranks, visit);
 }
 
 }  // namespace idiophone::mesh

@@ -18,14 +18,16 @@
 
 namespace idiophone::mesh {
 
-PartReader::PartReader(std::span<const scene::Body> bodies, MeshShares& shares,
-                       std::span<const std::vector<Index>> coupled, MPI_Comm communicator)
+PartReader::PartReader(std::span<const scene::Body> bodies, const std::vector<Mesh>& outlines, const Offsets& offsets,
+                       std::vector<ElementRows>& rows, std::span<const std::vector<Index>> coupled,
+                       MPI_Comm communicator)
     : bodies_(bodies),
-      shares_(shares),
+      outlines_(outlines),
+      rows_(rows),
       coupled_(coupled),
       communicator_(communicator),
       process_(parallel::rank_of(communicator)) {
-  numbers_.all = shares.offsets;
+  numbers_.all = offsets;
 }
 
 ReadPart PartReader::read() {
@@ -63,16 +65,16 @@ void PartReader::take_elements(int ranks) {
   const Offsets& all = numbers_.all;
   WorkOfNodes work(all.nodes.back());
   for (std::size_t body = 0; body < bodies_.size(); ++body) {
-    for (const Index node : shares_.rows[body].nodes) {
+    for (const Index node : rows_[body].nodes) {
       work.add(all.nodes[body] + node, work_of_node(bodies_[body].element));
     }
   }
   std::vector<Index> first = work.divide(ranks, communicator_);
-  std::vector<MovedNode> moved = nodes_moved_to_columns(bodies_, shares_.rows, all.nodes, first, communicator_);
+  std::vector<MovedNode> moved = nodes_moved_to_columns(bodies_, rows_, all.nodes, first, communicator_);
   division_.emplace(std::move(first), std::move(moved), parallel::size_of(communicator_));
   for (std::size_t body = 0; body < bodies_.size(); ++body) {
     Neighbourhood taken =
-        elements_around(std::move(shares_.rows[body]), bodies_[body], all.nodes[body], *division_, communicator_);
+        elements_around(std::move(rows_[body]), bodies_[body], all.nodes[body], *division_, communicator_);
     around_.push_back(std::move(taken.loaded));
     numbers_.elements.push_back(std::move(taken.numbers));
   }
@@ -147,7 +149,7 @@ void PartReader::build(const std::function<void(Part&)>& visit) {
 
 const Mesh& PartReader::outline(std::size_t body) const {
   static const Mesh none;
-  return shares_.outlines.empty() ? none : shares_.outlines[body];
+  return outlines_.empty() ? none : outlines_[body];
 }
 
 std::pair<Index, Index> PartReader::range(std::size_t body) const {

@@ -17,8 +17,8 @@ namespace idiophone::mesh {
 class PartReader {
  public:
   /// As for_each_part_in_rows(); the arguments must outlive this object.
-  PartReader(std::span<const scene::Body> bodies, MeshShares& shares, std::span<const std::vector<Index>> coupled,
-             MPI_Comm communicator);
+  PartReader(std::span<const scene::Body> bodies, const std::vector<Mesh>& outlines, const Offsets& offsets,
+             std::vector<ElementRows>& rows, std::span<const std::vector<Index>> coupled, MPI_Comm communicator);
 
   /// The part of this process, which is a rank. @throws as read_part()
   [[nodiscard]] ReadPart read();
@@ -46,7 +46,8 @@ class PartReader {
   [[nodiscard]] std::span<const Index> needed(const std::vector<Index>& set) const;
 
   std::span<const scene::Body> bodies_;
-  MeshShares& shares_;
+  const std::vector<Mesh>& outlines_;
+  std::vector<ElementRows>& rows_;
   std::span<const std::vector<Index>> coupled_;
   MPI_Comm communicator_;
   int process_;  ///< its number

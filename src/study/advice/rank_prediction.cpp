@@ -3,9 +3,13 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
+#include "idiophone/foundation/parallel/gather.hpp"
+#include "idiophone/foundation/parallel/reduce.hpp"
 #include "idiophone/run/loop/facts.hpp"
 #include "idiophone/run/loop/resources.hpp"
 #include "idiophone/solids/motion/ghost_exchange.hpp"
@@ -28,41 +32,113 @@ std::vector<Message> messages_of(const mesh::Part& part, motion::Halo halo) {
   return messages;
 }
 
+/// The parts of ranks that this process cuts out, as a run has them.
+void for_each_part(bodies::PreparedMeshes& prepared, int ranks, const std::function<void(const mesh::Part&)>& visit,
+                   MPI_Comm communicator) {
+  const bodies::Preparation& ready = prepared.ready;
+  const std::vector<std::vector<Index>> coupled = motion::coupled_nodes(ready.attachments);
+  if (!prepared.rows.empty()) {
+    mesh::for_each_part_in_rows(ready.scene.bodies, prepared.meshes, ready.offsets, prepared.rows, coupled, ranks,
+                                visit, communicator);
+  } else if (parallel::size_of(communicator) == 1) {
+    mesh::for_each_part(prepared.meshes, ranks, visit, coupled);
+  } else {
+    throw std::runtime_error("check --ranks needs one process where meshes are read whole: start it without mpirun");
+  }
+}
+
+/// Each element once.
+double work_of_all(const bodies::Preparation& ready) {
+  double work = 0.0;
+  for (std::size_t body = 0; body < ready.scene.bodies.size(); ++body) {
+    const Index elements = ready.offsets.elements[body + 1] - ready.offsets.elements[body];
+    work += elements * mesh::work_of_element(ready.scene.bodies[body].element);
+  }
+  return work;
+}
+
+/// What elements and nodes take, s.
+struct Rates {
+  double unit_of_work;
+  double node;
+};
+
+/// Collective.
+Rates rates_of(const bodies::Preparation& ready, const StepSeconds& measured, MPI_Comm communicator) {
+  const double computed = parallel::sum(mesh::size_of(ready.part).work, communicator);  // with ghosts
+  return {measured.force / computed, (measured.whole - measured.force) / ready.offsets.nodes.back()};
+}
+
+/// All processes' ranks. Collective.
+std::vector<RankStep> gathered(const std::vector<RankStep>& own, MPI_Comm communicator) {
+  struct Times {
+    double computing, inner;
+    std::size_t messages;
+  };
+  std::vector<Times> times;
+  std::vector<Message> messages;
+  for (const RankStep& step : own) {
+    times.push_back({step.computing, step.inner, step.received.size()});
+    messages.insert(messages.end(), step.received.begin(), step.received.end());
+  }
+  const std::vector<Message> all = parallel::gather_all<Message>(messages, communicator).values;
+  std::vector<RankStep> steps;
+  auto next = all.begin();
+  for (const auto& [computing, inner, count] : parallel::gather_all<Times>(times, communicator).values) {
+    const auto end = next + static_cast<std::ptrdiff_t>(count);
+    steps.push_back({computing, inner, {next, end}});
+    next = end;
+  }
+  return steps;
+}
+
+/// The largest of all processes. Collective.
+mesh::PartSize largest(const mesh::PartSize& own, MPI_Comm communicator) {
+  mesh::PartSize all;
+  for (const mesh::PartSize& one : parallel::gather(own, communicator)) {
+    all = mesh::largest(all, one);
+  }
+  return all;
+}
+
 }  // namespace
 
-RankPrediction predict_ranks(const bodies::Preparation& ready, const std::vector<mesh::Mesh>& meshes, int ranks,
-                             const StepSeconds& one, const Network& network, const MemoryEstimate& memory) {
-  const motion::Halo halo = motion::halo_of(ready.scene);
-  const std::vector<std::vector<Index>> coupled = motion::coupled_nodes(ready.attachments);
-  mesh::PartSize whole;
-  double elsewhere = 0.0;  // what this process holds of bodies, and rank 0 will not, bytes
-  mesh::for_each_part(meshes, 1, [&](const mesh::Part& part) {
-    whole = mesh::size_of(part);
-    elsewhere = memory.of_bodies(part);
-  });
+RankPrediction predict_ranks(bodies::PreparedMeshes& prepared, int ranks, const StepMeasurement& measured,
+                             const Network& network, MPI_Comm communicator) {
+  const bodies::Preparation& ready = prepared.ready;
+  const MemoryEstimate& memory = measured.memory;
+  const Rates rates = rates_of(ready, measured.step, communicator);
+  const bool in_parts = !prepared.rows.empty();
+  const double peak_in_parts = loop::peak_memory();
+  double elsewhere = memory.of_bodies(ready.part);  // what rank 0 holds of bodies, and will not, bytes
   RankPrediction result;
   result.network = network;
-  result.halo = halo;
-  result.steps.steps_per_full_wait = ready.steps_per_read;
-  mesh::for_each_part(
-      meshes, ranks,
+  result.halo = motion::halo_of(ready.scene);
+  std::vector<RankStep> steps;
+  for_each_part(
+      prepared, ranks,
       [&](const mesh::Part& part) {
         const mesh::PartSize size = mesh::size_of(part);
         result.largest = mesh::largest(result.largest, size);
         result.memory = std::max(result.memory, memory.of(part));
-        elsewhere -= result.steps.ranks.empty() ? memory.of_bodies(part) : 0.0;
-        result.steps.ranks.push_back(
-            {.computing = one.force * size.work / whole.work +
-                          (one.whole - one.force) * size.nodes / static_cast<double>(whole.nodes),
-             .inner = halo == motion::Halo::states ? 0.0 : one.force * motion::work_without_ghosts(part) / whole.work,
-             .received = messages_of(part, halo)});
+        elsewhere -= steps.empty() ? memory.of_bodies(part) : 0.0;
+        const double inner =
+            result.halo == motion::Halo::states ? 0.0 : rates.unit_of_work * motion::work_without_ghosts(part);
+        steps.push_back({.computing = rates.unit_of_work * size.work + rates.node * size.nodes,
+                         .inner = inner,
+                         .received = messages_of(part, result.halo)});
       },
-      coupled);
+      communicator);
+  result.largest = largest(result.largest, communicator);
+  result.memory = parallel::largest(result.memory, communicator);
+  result.steps = {.steps_per_full_wait = ready.steps_per_read, .ranks = gathered(steps, communicator)};
   result.step = step_time(result.steps, network);
-  result.speed_up = one.whole / result.step.whole;
+  result.speed_up =
+      (rates.unit_of_work * work_of_all(ready) + rates.node * ready.offsets.nodes.back()) / result.step.whole;
   constexpr double of_files = 16e6 - saved_by_open_mpi;  // what a run holds besides: 11 to 21 MB with Open MPI 4
-  const bool needs_all = !ready.initial_state.displacement.empty();  // for a static equilibrium
-  result.root_memory = std::max(result.memory, loop::peak_memory() + of_files - (needs_all ? 0.0 : elsewhere));
+  const bool needs_all = !ready.initial_state.displacement.empty();    // for a static equilibrium
+  const double peak = in_parts ? peak_in_parts : loop::peak_memory();  // METIS's work is rank 0's in a run, too
+  result.root_memory = std::max(result.memory, peak + of_files - (needs_all ? 0.0 : elsewhere));
   return result;
 }
 

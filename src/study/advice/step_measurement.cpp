@@ -63,8 +63,8 @@ StepMeasurement measure_steps(const bodies::Preparation& ready, double program, 
     whole[round] = seconds_of(calls, advance);
     of_force[round] = seconds_of(calls, [&] { motion.dynamics().compute_force(motion.time(), motion.state(), force); });
   }
-  return {.step = {.force = parallel::largest(std::min(median(of_force), median(whole)), communicator),
-                   .whole = parallel::largest(median(whole), communicator)},
+  return {.step = {.force = parallel::sum(std::min(median(of_force), median(whole)), communicator),
+                   .whole = parallel::sum(median(whole), communicator)},
           .memory = MemoryEstimate(ready, motion.dynamics(), program)};
 }
 

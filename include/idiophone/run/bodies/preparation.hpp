@@ -8,6 +8,7 @@
 
 #include "idiophone/scene/scene.hpp"
 #include "idiophone/solids/contact/contact_surfaces.hpp"
+#include "idiophone/solids/mesh/meshes_in_parts.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/mesh/statistics.hpp"
 #include "idiophone/solids/modal_bodies/modal_models.hpp"
@@ -51,12 +52,18 @@ struct Preparation {
 /// With the meshes that it was made from.
 struct PreparedMeshes {
   Preparation ready;
-  std::vector<mesh::Mesh> meshes;  ///< on rank 0; without elements where each rank has read its part
+  std::vector<mesh::Mesh> meshes;       ///< on rank 0; without elements where each rank has read its part
+  std::vector<mesh::ElementRows> rows;  ///< [bodies] where each rank has read its part: the elements that it read, if
+                                        ///< they are kept; otherwise empty
 };
+
+/// What is to become of the elements that a rank reads, when it has its part.
+enum class ReadRows { drop, keep };
 
 /// The same; reads the meshes. Where they are large mesh files, each rank reads its part (docs/use/meshes.md says
 /// which).
-[[nodiscard]] PreparedMeshes prepare_with_meshes(scene::Scene scene, MPI_Comm communicator);
+[[nodiscard]] PreparedMeshes prepare_with_meshes(scene::Scene scene, MPI_Comm communicator,
+                                                 ReadRows rows = ReadRows::drop);
 
 /// The same; drops the meshes.
 [[nodiscard]] Preparation prepare(scene::Scene scene, MPI_Comm communicator);

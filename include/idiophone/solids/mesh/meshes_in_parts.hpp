@@ -67,9 +67,12 @@ struct ReadPart {
 
 /// Calls visit(part) with the part of each of so many ranks, as read_part() would make them, but in the axes of the
 /// files, and without checks. Each process visits some, one after another: process 0 the first ones. Collective.
-/// @param ranks  that share the bodies, at least as many as processes
-/// @throws as read_part()
-void for_each_part_in_rows(std::span<const scene::Body> bodies, MeshShares& meshes,
+/// @param outlines  on rank 0
+/// @param rows      [bodies] as read_shares() gives them; they are used up
+/// @param ranks     that share the bodies
+/// @throws as read_part(); std::runtime_error, on every process, where there are fewer ranks than processes
+void for_each_part_in_rows(std::span<const scene::Body> bodies, const std::vector<Mesh>& outlines,
+                           const Offsets& offsets, std::vector<ElementRows>& rows,
                            std::span<const std::vector<Index>> coupled, int ranks,
                            const std::function<void(const Part&)>& visit, MPI_Comm communicator);
 

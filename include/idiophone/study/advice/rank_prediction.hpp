@@ -1,5 +1,5 @@
 #pragma once
-// What a run on many ranks needs and gains, predicted by one process from the parts that METIS makes.
+// What a run on many ranks needs and gains, predicted by fewer processes from the parts that the ranks would have.
 
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -28,15 +28,16 @@ struct RankPrediction {
   std::optional<WavePrediction> waves;  ///< none: another radiation model
 };
 
-/// Cuts the bodies into parts. The elements' time is divided like their work, all else like the nodes. Messages travel
+/// Cuts the bodies into parts as a run would: by METIS on one process, or along the curve where each process has read
+/// its part of the meshes. The elements' time is divided like their work, all else like the nodes. Messages travel
 /// while elements that need no ghost are computed, except before the surface is read; states do so alone. Contact and
-/// waves are not counted.
-/// @param meshes  of all bodies
-/// @param one     of a run on one rank
-/// @throws std::runtime_error when there are more ranks than elements can fill
-[[nodiscard]] RankPrediction predict_ranks(const bodies::Preparation& ready, const std::vector<mesh::Mesh>& meshes,
-                                           int ranks, const StepSeconds& one, const Network& network,
-                                           const MemoryEstimate& memory);
+/// waves are not counted. Collective.
+/// @param prepared  with rows where the meshes were read in parts; they are used up
+/// @param measured  of this process's part
+/// @throws std::runtime_error when there are more ranks than elements can fill, or fewer than processes; or where
+///         several processes have read the meshes whole
+[[nodiscard]] RankPrediction predict_ranks(bodies::PreparedMeshes& prepared, int ranks, const StepMeasurement& measured,
+                                           const Network& network, MPI_Comm communicator);
 
 void report(const RankPrediction& prediction);
 

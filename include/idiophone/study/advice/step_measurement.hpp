@@ -6,7 +6,7 @@
 
 namespace idiophone::advice {
 
-/// Processor time of a step of all bodies on the slowest rank.
+/// Processor time of a step of all bodies, of all ranks together.
 struct StepSeconds {
   double force = 0.0;  ///< of the elements, s
   double whole = 0.0;  ///< s
