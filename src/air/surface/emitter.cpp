@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "corners.hpp"
+#include "idiophone/air/surface/corners.hpp"
 
 namespace idiophone::surface {
 

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "corners.hpp"
+#include "idiophone/air/surface/corners.hpp"
 #include "idiophone/foundation/lanes.hpp"
 
 namespace idiophone::surface {

@@ -8,7 +8,7 @@
 #include <functional>
 #include <stdexcept>
 
-#include "corners.hpp"
+#include "idiophone/air/surface/corners.hpp"
 
 namespace idiophone::surface {
 

@@ -3,6 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "idiophone/air/surface/corners.hpp"
+#include "idiophone/foundation/cross_matrix.hpp"
 #include "idiophone/foundation/lanes.hpp"
 
 namespace idiophone::bodies {
@@ -75,6 +77,9 @@ Eigen::VectorXd filtered(surface::LowPass& filter, const std::vector<double>& re
 
 ModalSurface::ModalSurface(const modal_bodies::ModalBasis& basis, const Shape& shape, const surface::Sampling& sampling)
     : read_rate_(static_cast<double>(sampling.rate) * sampling.reads_per_sample()),
+      corners_(surface::corner_places(shape.triangles)),
+      velocities_(3 * shape.nodes.size() + 1),
+      pressures_(padded(shape.triangles.size())),
       before_(rigid_coordinates + static_cast<Eigen::Index>(basis.modes())),
       coordinates_(padded(before_.size()) * sampling.reads_per_sample()),
       rates_(coordinates_.size()),
@@ -94,21 +99,14 @@ ModalSurface::ModalSurface(const modal_bodies::ModalBasis& basis, const Shape& s
           Eigen::Map<const Vector3>(&basis.shapes[3 * (mode * basis.nodes() + shape.nodes[v])]);
     }
   }
-  shapes_ = shapes.cast<float>();
+  vibration_ = VertexShapes(shapes);
   arms_ = reference_.colwise() - shape.centre;
-  rigid_pressures_.resize(std::ssize(shape.triangles), rigid_rates);
-  mode_pressures_.resize(std::ssize(shape.triangles), modes);
-  for (Eigen::Index t = 0; t < mode_pressures_.rows(); ++t) {
+  normals_.fill(pressures_);
+  for (std::size_t t = 0; t < shape.triangles.size(); ++t) {
     const auto [i, j, k] = shape.triangles[t];
-    const Vector3 normal =
-        (arms_.col(j) - arms_.col(i)).cross(arms_.col(k) - arms_.col(i)).normalized() * sampling.impedance;
-    const Vector3 arm = (arms_.col(i) + arms_.col(j) + arms_.col(k)) / 3;
-    rigid_pressures_.row(t) << normal.transpose(), arm.cross(normal).transpose();
-    for (Eigen::Index mode = 0; mode < modes; ++mode) {
-      const auto column = shapes.col(mode);
-      const auto at = [&](Index vertex) { return column.segment<3>(Eigen::Index{3} * vertex); };
-      const Vector3 mean = (at(i) + at(j) + at(k)) / 3;
-      mode_pressures_(t, mode) = static_cast<float>(normal.dot(mean));
+    const Vector3 normal = (arms_.col(j) - arms_.col(i)).cross(arms_.col(k) - arms_.col(i)).normalized();
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      normals_.at(axis)[t] = sampling.impedance / 3 * normal[static_cast<Eigen::Index>(axis)];
     }
   }
 }
@@ -129,8 +127,7 @@ void ModalSurface::start(const motion::ModalState& state, std::span<double> pres
   fill(coordinate_filter_, before_);
   fill(rate_filter_, rates);
   reads_ = 0;
-  find_pressures(rates, pressure);
-  find_positions(before_, position);
+  find(rates, before_, pressure, position);
 }
 
 void ModalSurface::read(const motion::ModalState& state) {
@@ -146,24 +143,34 @@ void ModalSurface::read(const motion::ModalState& state) {
 void ModalSurface::take(std::span<double> pressure, std::span<double> position) {
   const std::size_t width = padded(before_.size());
   reads_ = 0;
-  find_pressures(filtered(rate_filter_, rates_, width, rigid_rates + mode_pressures_.cols()), pressure);
-  find_positions(filtered(coordinate_filter_, coordinates_, width, before_.size()), position);
+  const Eigen::VectorXd rates = filtered(rate_filter_, rates_, width, before_.size() - rigid_coordinates + rigid_rates);
+  find(rates, filtered(coordinate_filter_, coordinates_, width, before_.size()), pressure, position);
 }
 
-void ModalSurface::find_pressures(const Eigen::VectorXd& rates, std::span<double> pressure) const {
-  const Eigen::VectorXf of_modes = rates.tail(mode_pressures_.cols()).cast<float>();
-  const Eigen::VectorXf vibration = mode_pressures_ * of_modes;
-  Eigen::Map<Eigen::VectorXd>(pressure.data(), std::ssize(pressure)).noalias() =
-      rigid_pressures_.lazyProduct(rates.head<rigid_rates>()) + vibration.cast<double>();
+void ModalSurface::find(const Eigen::VectorXd& rates, const Eigen::VectorXd& coordinates, std::span<double> pressure,
+                        std::span<double> position) {
+  vibration_.find(coordinates.tail(coordinates.size() - rigid_coordinates), rates.tail(rates.size() - rigid_rates));
+  find_pressures(rates, pressure);
+  find_positions(coordinates, position);
+}
+
+void ModalSurface::find_pressures(const Eigen::VectorXd& rates, std::span<double> pressure) {
+  const Vector3 velocity = rates.head<3>();
+  const Eigen::Matrix3d spin = cross_matrix(rates.segment<3>(3));
+  Eigen::Map<Eigen::Matrix3Xd>(velocities_.data(), 3, arms_.cols()) =
+      (vibration_.velocities().cast<double>() + spin.lazyProduct(arms_)).colwise() + velocity;
+  for (std::size_t first = 0; first < pressures_.size(); first += lane_count) {
+    const VectorLanes normal = {load(&normals_[0][first]), load(&normals_[1][first]), load(&normals_[2][first])};
+    put(surface::dot(normal, surface::gather(&corners_[3 * first], velocities_.data()).sum), &pressures_[first]);
+  }
+  std::copy_n(pressures_.begin(), pressure.size(), pressure.begin());
 }
 
 void ModalSurface::find_positions(const Eigen::VectorXd& coordinates, std::span<double> position) {
-  const Eigen::VectorXf of_modes = coordinates.tail(shapes_.cols()).cast<float>();
-  const Eigen::VectorXd vibration = (shapes_ * of_modes).cast<double>();
-  const Eigen::Map<const Eigen::Matrix3Xd> moved(vibration.data(), 3, arms_.cols());
+  const Eigen::Matrix3Xd moved = vibration_.displacements().cast<double>();
   largest_square_ = std::max(largest_square_, moved.colwise().squaredNorm().maxCoeff());
   if (rotation_.size() > 0) {
-    const Eigen::VectorXd places = coordinates.tail(shapes_.cols());
+    const Eigen::VectorXd places = coordinates.tail(rotation_.cols());
     largest_rotation_square_ = std::max(largest_rotation_square_, places.dot(rotation_ * places));
   }
   const Eigen::Matrix3d turn = turn_less_one(coordinates);

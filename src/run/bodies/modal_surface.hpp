@@ -5,6 +5,7 @@
 // second order.
 
 #include <Eigen/Core>
+#include <array>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -13,6 +14,7 @@
 #include "idiophone/solids/mesh/mesh.hpp"
 #include "idiophone/solids/modal_bodies/modal_basis.hpp"
 #include "idiophone/solids/motion/body_model.hpp"
+#include "vertex_shapes.hpp"
 
 namespace idiophone::bodies {
 
@@ -50,16 +52,19 @@ class ModalSurface {
   void archive(std::size_t coordinate, parallel::ArchiveRow& row);
 
  private:
-  void find_pressures(const Eigen::VectorXd& rates, std::span<double> pressure) const;
+  void find(const Eigen::VectorXd& rates, const Eigen::VectorXd& coordinates, std::span<double> pressure,
+            std::span<double> position);
+  void find_pressures(const Eigen::VectorXd& rates, std::span<double> pressure);
   void find_positions(const Eigen::VectorXd& coordinates, std::span<double> position);
 
-  double read_rate_;                 ///< reads per second
-  Eigen::MatrixXd rigid_pressures_;  ///< [triangles x rates of rigid motion] z times the mean normal velocity
-  // Single precision rounds the vibration by 1e-7 of its loudest mode, and takes half the memory.
-  Eigen::MatrixXf mode_pressures_;   ///< [triangles x modes] likewise
-  Eigen::MatrixXf shapes_;           ///< [3 x vertices, modes] kg^-1/2
-  Eigen::Matrix3Xd arms_;            ///< [vertices] X - C, m
-  Eigen::Matrix3Xd reference_;       ///< [vertices] X, m
+  double read_rate_;  ///< reads per second
+  VertexShapes vibration_;
+  std::vector<Index> corners_;                  ///< see surface::corner_places()
+  std::array<std::vector<double>, 3> normals_;  ///< [padded triangles] of the undeformed body, times z/3
+  std::vector<double> velocities_;              ///< [3 x vertices, and one more value to read] in the body's frame, m/s
+  std::vector<double> pressures_;               ///< [padded triangles] z times the mean normal velocity, Pa
+  Eigen::Matrix3Xd arms_;                       ///< [vertices] X - C, m
+  Eigen::Matrix3Xd reference_;                  ///< [vertices] X, m
   Eigen::MatrixXd rotation_;         ///< [modes x modes] modal_bodies::Stretching::rotation; empty where there is none
   Eigen::VectorXd before_;           ///< coordinates at the last read
   std::vector<double> coordinates_;  ///< [reads x padded coordinates] of this audio sample

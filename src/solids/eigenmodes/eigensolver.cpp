@@ -35,6 +35,7 @@ parallel::Handle<EPS> create_solver(const EigenProblem& problem, Mat shifted, in
   petsc(EPSSetWhichEigenpairs(solver, EPS_TARGET_MAGNITUDE));
   petsc(EPSSetTarget(solver, 0.0));
   petsc(EPSSetTolerances(solver, 1e-10, 1000));
+  petsc(EPSSetPurify(solver, PETSC_FALSE));  // a solve for each vector, which only a singular M needs
   ST transformation = nullptr;
   KSP linear = nullptr;
   PC factors = nullptr;

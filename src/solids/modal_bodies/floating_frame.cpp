@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "idiophone/foundation/cross_matrix.hpp"
 #include "idiophone/foundation/inertia_tensor.hpp"
 #include "idiophone/solids/motion/kick.hpp"
 
@@ -82,8 +83,7 @@ FloatingFrame::Motion FloatingFrame::now(const Step& step, const Vector3& force,
 void FloatingFrame::orient() {
   // R - 1 = 2 (w [v] + [v]^2) keeps small rotations; R itself would round them.
   const Vector3 v = orientation_.vec();
-  Eigen::Matrix3d cross;
-  cross << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
+  const Eigen::Matrix3d cross = cross_matrix(v);
   less_one_ = 2 * (orientation_.w() * cross + cross * cross);
   turn_ = Eigen::Matrix3d::Identity() + less_one_;
 }

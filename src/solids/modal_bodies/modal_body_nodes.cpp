@@ -4,6 +4,7 @@
 
 #include <bit>
 
+#include "idiophone/foundation/cross_matrix.hpp"
 #include "idiophone/foundation/each_once.hpp"
 
 namespace idiophone::modal_bodies {

@@ -3,16 +3,11 @@
 #include <Eigen/LU>
 #include <cmath>
 
+#include "idiophone/foundation/cross_matrix.hpp"
 #include "idiophone/foundation/dense/dense.hpp"
 #include "idiophone/foundation/inertia_tensor.hpp"
 
 namespace idiophone::modal_bodies {
-
-Eigen::Matrix3d cross_matrix(const Vector3& v) {
-  Eigen::Matrix3d matrix;
-  matrix << 0, -v.z(), v.y(), v.z(), 0, -v.x(), -v.y(), v.x(), 0;
-  return matrix;
-}
 
 ModalInertia::ModalInertia(std::span<const double> masses, std::span<const Vector3> reference,
                            const ModalShapes& shapes)

@@ -9,9 +9,6 @@
 
 namespace idiophone::modal_bodies {
 
-/// The matrix that gives v x b of b.
-[[nodiscard]] Eigen::Matrix3d cross_matrix(const Vector3& v);
-
 class ModalInertia {
  public:
   ModalInertia() = default;

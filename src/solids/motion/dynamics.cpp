@@ -176,7 +176,7 @@ void Dynamics::choose_nodes(std::vector<Index> nodes, const Period& period, int 
     const bool acted_on = std::ranges::any_of(nodes, is_own) || std::ranges::any_of(pulsed, is_own);
     at_once.push_back(acted_on ? 1 : most_at_once);
   }
-  const std::vector<Index> loaded = loads_.nodes();
+  const std::vector<Index> loaded = loads_.nodes(period.begin);
   nodes.insert(nodes.end(), pulsed.begin(), pulsed.end());
   nodes.insert(nodes.end(), loaded.begin(), loaded.end());
   for (std::size_t b = 0; b < bodies_.size(); ++b) {

@@ -155,10 +155,12 @@ std::vector<Index> Loads::pulsed_nodes(double begin, double end) const {
   return all;
 }
 
-std::vector<Index> Loads::nodes() const {
+std::vector<Index> Loads::nodes(double begin) const {
   std::vector<Index> all;
   for (const Pulse& pulse : pulses_) {
-    all.insert(all.end(), pulse.patch.nodes.begin(), pulse.patch.nodes.end());
+    if (begin <= pulse.signal.end()) {
+      all.insert(all.end(), pulse.patch.nodes.begin(), pulse.patch.nodes.end());
+    }
   }
   for (const Wind& wind : winds_) {
     all.insert(all.end(), wind.nodes().begin(), wind.nodes().end());

@@ -44,20 +44,19 @@ struct FixedPoint {
 };
 
 /// A double's (or each lane's) two whole numbers; |value| <= FixedPoint::limit. All of it is exact but the rounding of
-/// the fine part, so contraction to fused operations changes no bit.
+/// the fine part.
 template <class Integer, class Real>
 struct Cut {
   Integer coarse, fine;
 
   explicit Cut(const Real& value) {
-    // Adding 1.5 2^52 rounds to a whole number and leaves it in the low bits of the sum: vector code everywhere.
-    constexpr double rounder = 0x1.8p52;
-    constexpr auto rounder_bits = std::bit_cast<std::int64_t>(rounder);
-    const Real shifted = value * 0x1p30 + rounder;
-    const Real rest = value - (shifted - rounder) * 0x1p-30;
-    const Real fine_shifted = rest * 0x1p70 + rounder;
-    coarse = std::bit_cast<Integer>(shifted) - rounder_bits;
-    fine = std::bit_cast<Integer>(fine_shifted) - rounder_bits;
+    // 1.5 2^52 units and a few more have the same exponent, and their last bit is one unit: the sum is rounded to whole
+    // units, which are in its low bits. Vector code everywhere.
+    constexpr double coarse_rounder = 0x1.8p52 * 0x1p-30, fine_rounder = 0x1.8p52 * 0x1p-70;
+    const Real rounded = value + coarse_rounder;
+    const Real rest = value - (rounded - coarse_rounder);
+    coarse = std::bit_cast<Integer>(rounded) - std::bit_cast<std::int64_t>(coarse_rounder);
+    fine = std::bit_cast<Integer>(rest + fine_rounder) - std::bit_cast<std::int64_t>(fine_rounder);
   }
 };
 

@@ -49,8 +49,9 @@ class Loads {
   [[nodiscard]] const std::vector<Wind>& winds() const { return winds_; }   ///< [Solids::winds]
   [[nodiscard]] const std::vector<BowLoad>& bows() const { return bows_; }  ///< [Solids::bows]
 
-  /// Owned nodes that something acts on from outside, in the deck's order; a node may occur more than once.
-  [[nodiscard]] std::vector<Index> nodes() const;
+  /// Owned nodes that something acts on from outside at or after a time (s), in the deck's order; a node may occur more
+  /// than once.
+  [[nodiscard]] std::vector<Index> nodes(double begin) const;
 
   /// Adds the supports' stiffness at each owned node, N/m, the same in all directions. [owned nodes]
   void add_support_stiffness(std::span<double> stiffness) const;
