@@ -60,7 +60,7 @@ void StretchingEnergy::Variables::add_slopes(std::size_t block, const TermSums& 
 
 StretchingEnergy::StretchingEnergy(std::span<const double> linear, std::span<const double> quadratic, std::size_t modes)
     : StretchingEnergy(linear, quadratic, modes,
-                       stretching_order(quadratic, linear.size() / modes, modes, terms_in_block)) {}
+                       stretching_order(quadratic, linear.size() / modes, modes, {terms_in_block, numbers_in_pack})) {}
 
 StretchingEnergy::StretchingEnergy(std::span<const double> linear, std::span<const double> quadratic, std::size_t modes,
                                    const StretchingOrder& order)

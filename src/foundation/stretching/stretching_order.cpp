@@ -1,13 +1,44 @@
 #include "stretching_order.hpp"
 
 #include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <functional>
+#include <iterator>
 #include <numeric>
+#include <utility>
 
 namespace idiophone::stretching {
 
 namespace {
 
-using Flags = std::vector<char>;
+/// What a term or a pair has, a bit for each.
+class Flags {
+ public:
+  explicit Flags(std::size_t count) : words_((count + bits - 1) / bits) {}
+  void set(std::size_t place) { words_[place / bits] |= std::uint64_t{1} << (bits - 1 - place % bits); }
+  [[nodiscard]] bool any() const {
+    return std::ranges::any_of(words_, [](std::uint64_t word) { return word != 0; });
+  }
+  void add(const Flags& other) { std::ranges::transform(words_, other.words_, words_.begin(), std::bit_or()); }
+
+  /// Whether it has the first place that only one of them has.
+  [[nodiscard]] bool is_before(const Flags& other) const { return words_ > other.words_; }
+
+  /// How many both have, over how many any of them has.
+  [[nodiscard]] double likeness(const Flags& other) const {
+    int both = 0, any = 0;
+    for (std::size_t i = 0; i < words_.size(); ++i) {
+      both += std::popcount(words_[i] & other.words_[i]);
+      any += std::popcount(words_[i] | other.words_[i]);
+    }
+    return any > 0 ? static_cast<double>(both) / any : 0.0;
+  }
+
+ private:
+  static constexpr std::size_t bits = 64;
+  std::vector<std::uint64_t> words_;
+};
 
 std::vector<ModePair> all_pairs(std::size_t modes) {
   std::vector<ModePair> pairs;
@@ -19,62 +50,64 @@ std::vector<ModePair> all_pairs(std::size_t modes) {
   return pairs;
 }
 
-/// How many pairs two terms both have, over those that any of them has.
-double likeness(const Flags& one, const Flags& other) {
-  std::size_t both = 0, any = 0;
-  for (std::size_t pair = 0; pair < one.size(); ++pair) {
-    both += one[pair] & other[pair];
-    any += one[pair] | other[pair];
-  }
-  return any > 0 ? static_cast<double>(both) / static_cast<double>(any) : 0.0;
-}
-
-/// Each term is followed by that which is most like those of its block so far.
-/// @param has  [terms x pairs]
-std::vector<std::size_t> chain(const std::vector<Flags>& has, std::size_t terms_at_once) {
-  std::vector<std::size_t> order, left(has.size());
-  std::iota(left.begin(), left.end(), 0);
-  Flags of_block(has.front().size());
+/// Each term or pair is followed by that of the next 1024 left which is most like those of its block so far.
+/// @param has   [terms or pairs]
+/// @param left  their numbers
+std::vector<std::size_t> chain(const std::vector<Flags>& has, std::vector<std::size_t> left, std::size_t at_once) {
+  constexpr std::ptrdiff_t compared = 1024;
+  std::vector<std::size_t> order;
+  Flags of_block = has.front();
   while (!left.empty()) {
+    const auto end = left.begin() + std::min(compared, std::ssize(left));
     const auto next = std::ranges::max_element(
-        left, {}, [&](std::size_t term) { return order.empty() ? 0.0 : likeness(of_block, has[term]); });
-    if (order.size() % terms_at_once == 0) {
-      std::ranges::fill(of_block, 0);
+        left.begin(), end, {}, [&](std::size_t place) { return order.empty() ? 0.0 : of_block.likeness(has[place]); });
+    if (order.size() % at_once == 0) {
+      of_block = has[*next];
+    } else {
+      of_block.add(has[*next]);
     }
-    std::ranges::transform(of_block, has[*next], of_block.begin(), std::bit_or());
     order.push_back(*next);
     left.erase(next);
   }
   return order;
 }
 
+std::vector<std::size_t> numbers_below(std::size_t end) {
+  std::vector<std::size_t> numbers(end);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
 }  // namespace
 
 StretchingOrder stretching_order(std::span<const double> quadratic, std::size_t terms, std::size_t modes,
-                                 std::size_t terms_at_once) {
+                                 const BlockSize& block) {
   const std::vector<ModePair> pairs = all_pairs(modes);
-  std::vector<Flags> has(terms, Flags(pairs.size()));
+  const auto has = [&](std::size_t term, std::size_t pair) {
+    return quadratic[(term * modes + pairs[pair].first) * modes + pairs[pair].second] != 0.0;
+  };
+  std::vector<Flags> of_terms(terms, Flags(pairs.size()));
   for (std::size_t term = 0; term < terms; ++term) {
-    std::ranges::transform(pairs, has[term].begin(), [&](const ModePair& pair) {
-      return static_cast<char>(quadratic[(term * modes + pair.first) * modes + pair.second] != 0.0);
-    });
+    for (std::size_t pair = 0; pair < pairs.size(); ++pair) {
+      if (has(term, pair)) {
+        of_terms[term].set(pair);
+      }
+    }
   }
-  StretchingOrder order{.terms = chain(has, terms_at_once), .pairs = {}};
-  std::vector<Flags> blocks(pairs.size(), Flags((terms + terms_at_once - 1) / terms_at_once));  // that have a pair
+  StretchingOrder order{.terms = chain(of_terms, numbers_below(terms), block.terms), .pairs = {}};
+  std::vector<Flags> of_pairs(pairs.size(), Flags((terms + block.terms - 1) / block.terms));  // blocks of terms
   for (std::size_t place = 0; place < terms; ++place) {
     for (std::size_t pair = 0; pair < pairs.size(); ++pair) {
-      blocks[pair][place / terms_at_once] |= has[order.terms[place]][pair];
+      if (has(order.terms[place], pair)) {
+        of_pairs[pair].set(place / block.terms);
+      }
     }
   }
-  std::vector<std::size_t> sorted(pairs.size());
-  std::iota(sorted.begin(), sorted.end(), 0);
-  std::ranges::stable_sort(sorted, std::ranges::greater(),
-                           [&](std::size_t pair) -> const Flags& { return blocks[pair]; });
-  for (const std::size_t pair : sorted) {
-    if (std::ranges::find(blocks[pair], 1) != blocks[pair].end()) {
-      order.pairs.push_back(pairs[pair]);
-    }
-  }
+  std::vector<std::size_t> used = numbers_below(pairs.size());
+  std::erase_if(used, [&](std::size_t pair) { return !of_pairs[pair].any(); });
+  std::ranges::stable_sort(used, [&](std::size_t a, std::size_t b) { return of_pairs[a].is_before(of_pairs[b]); });
+  std::ranges::transform(chain(of_pairs, std::move(used), block.pairs), std::back_inserter(order.pairs),
+                         [&](std::size_t pair) { return pairs[pair]; });
   return order;
 }
 

@@ -15,9 +15,13 @@ struct StretchingOrder {
   std::vector<ModePair> pairs;  ///< those that any term has
 };
 
-/// @param quadratic      as of StretchingEnergy
-/// @param terms_at_once  terms of a block
+/// Terms and pairs that are computed at once.
+struct BlockSize {
+  std::size_t terms, pairs;
+};
+
+/// @param quadratic  as of StretchingEnergy
 [[nodiscard]] StretchingOrder stretching_order(std::span<const double> quadratic, std::size_t terms, std::size_t modes,
-                                               std::size_t terms_at_once);
+                                               const BlockSize& block);
 
 }  // namespace idiophone::stretching

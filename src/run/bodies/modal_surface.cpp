@@ -168,10 +168,11 @@ void ModalSurface::find_pressures(const Eigen::VectorXd& rates, std::span<double
 
 void ModalSurface::find_positions(const Eigen::VectorXd& coordinates, std::span<double> position) {
   const Eigen::Matrix3Xd moved = vibration_.displacements().cast<double>();
-  largest_square_ = std::max(largest_square_, moved.colwise().squaredNorm().maxCoeff());
   if (rotation_.size() > 0) {
     const Eigen::VectorXd places = coordinates.tail(rotation_.cols());
     largest_rotation_square_ = std::max(largest_rotation_square_, places.dot(rotation_ * places));
+  } else {
+    largest_square_ = std::max(largest_square_, moved.colwise().squaredNorm().maxCoeff());
   }
   const Eigen::Matrix3d turn = turn_less_one(coordinates);
   Eigen::Map<Eigen::Matrix3Xd>(position.data(), 3, arms_.cols()) =
