@@ -8,8 +8,10 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 import unittest
 import unittest.mock
+import wave
 import xml.etree.ElementTree
 
 import h5py
@@ -169,7 +171,7 @@ class OddFolders(program.TestCase):
                     self.call("check", again)
 
 
-class Spectrum(unittest.TestCase):
+class Pictures(unittest.TestCase):
     def test_peaks_are_compared_with_the_first_references(self):
         """Not with those of a worse theory that happen to be nearer."""
         path = str(program.SOURCE / "scripts/spectrum")
@@ -183,6 +185,25 @@ class Spectrum(unittest.TestCase):
         spectrum.name_peaks(axes, (numpy.array([174.9, 355.6, 500.0]), numpy.zeros(3)), references, 700, 20)
         self.assertEqual([call.args[0] for call in axes.annotate.call_args_list],
                          ["174.9  (+5 ct)", "355.6  (+6 ct)", "500.0"])
+
+    def test_blows_are_drawn_side_by_side(self):
+        """Three tones, one after another: each blow has its centroid."""
+        with tempfile.TemporaryDirectory() as folder:
+            sound, picture = f"{folder}/tones.wav", f"{folder}/tones.png"
+            times = numpy.arange(8000) / 8000
+            tones = numpy.concatenate([numpy.sin(2 * numpy.pi * pitch * times) for pitch in (400, 800, 1600)])
+            with wave.open(sound, "wb") as file:
+                file.setparams((1, 2, 8000, 0, "NONE", ""))
+                file.writeframes((2e4 * tones).astype("<i2").tobytes())
+            blows = ["--at", "0.1", "--at", "1.1", "--at", "2.1"]
+            done = subprocess.run([program.SOURCE / "scripts/blows_figure", sound, *blows, "--split", "1000", "-o", picture],
+                                  capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            found = re.findall(r"blow at ([\d.]+) s, 100 ms: centroid (\d+) Hz", done.stdout)
+            self.assertEqual([at for at, _ in found], ["0.1", "1.1", "2.1"])
+            for (_, centroid), pitch in zip(found, (400, 800, 1600)):
+                self.assertAlmostEqual(float(centroid), pitch, delta=10)
+            self.assertTrue(os.path.getsize(picture) > 10_000)
 
 
 if __name__ == "__main__":
