@@ -25,14 +25,19 @@ class Flags {
   /// Whether it has the first place that only one of them has.
   [[nodiscard]] bool is_before(const Flags& other) const { return words_ > other.words_; }
 
-  /// How many both have, over how many any of them has.
-  [[nodiscard]] double likeness(const Flags& other) const {
+  /// How many both have, and how many any of them has.
+  struct Likeness {
     int both = 0, any = 0;
+    /// Whether the quotient is.
+    [[nodiscard]] bool is_above(const Likeness& other) const { return both * other.any > other.both * any; }
+  };
+  [[nodiscard]] Likeness likeness(const Flags& other) const {
+    Likeness likeness;
     for (std::size_t i = 0; i < words_.size(); ++i) {
-      both += std::popcount(words_[i] & other.words_[i]);
-      any += std::popcount(words_[i] | other.words_[i]);
+      likeness.both += std::popcount(words_[i] & other.words_[i]);
+      likeness.any += std::popcount(words_[i] | other.words_[i]);
     }
-    return any > 0 ? static_cast<double>(both) / any : 0.0;
+    return likeness;
   }
 
  private:
@@ -50,17 +55,29 @@ std::vector<ModePair> all_pairs(std::size_t modes) {
   return pairs;
 }
 
+/// Which of some terms or pairs is most like what a block has; the first where none is.
+std::size_t most_like(const Flags& of_block, const std::vector<Flags>& has, std::span<const std::size_t> some) {
+  std::size_t best = 0;
+  Flags::Likeness most{.both = 0, .any = 1};
+  for (std::size_t i = 0; i < some.size(); ++i) {
+    if (const Flags::Likeness likeness = of_block.likeness(has[some[i]]); likeness.is_above(most)) {
+      best = i;
+      most = likeness;
+    }
+  }
+  return best;
+}
+
 /// Each term or pair is followed by that of the next 1024 left which is most like those of its block so far.
 /// @param has   [terms or pairs]
 /// @param left  their numbers
 std::vector<std::size_t> chain(const std::vector<Flags>& has, std::vector<std::size_t> left, std::size_t at_once) {
-  constexpr std::ptrdiff_t compared = 1024;
+  constexpr std::size_t compared = 1024;
   std::vector<std::size_t> order;
   Flags of_block = has.front();
   while (!left.empty()) {
-    const auto end = left.begin() + std::min(compared, std::ssize(left));
-    const auto next = std::ranges::max_element(
-        left.begin(), end, {}, [&](std::size_t place) { return order.empty() ? 0.0 : of_block.likeness(has[place]); });
+    const auto next = left.begin() + static_cast<std::ptrdiff_t>(most_like(
+                                         of_block, has, std::span(left).first(std::min(compared, left.size()))));
     if (order.size() % at_once == 0) {
       of_block = has[*next];
     } else {
