@@ -168,7 +168,7 @@ py::dict modes(const std::string& deck, const std::vector<std::string>& settings
             const auto scene = idiophone::bodies::read_deck(deck, settings, communicator);
             idiophone::scene::refuse_joints(scene, "modes() of Python");
             const auto solids = idiophone::scene::Solids(scene).alone(idiophone::scene::find_body(scene.bodies, body));
-            meshes = idiophone::bodies::read_meshes(solids.bodies, communicator);
+            meshes = idiophone::bodies::read_meshes(solids, communicator);
             its = app::find_body_modes(solids, meshes, {.count = count}, communicator);
             errors =
                 app::estimated_mesh_errors(estimates, MassMatrix::lumped, solids, meshes, its.shapes, communicator);

@@ -141,7 +141,7 @@ void print_json(const bodies::Preparation& ready, nlohmann::json costs,
 /// Lists the faces of all bodies. Collective.
 void list_faces(const CheckOptions& options) {
   const scene::Scene scene = bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
-  const std::vector<mesh::Mesh> meshes = bodies::read_meshes(scene.bodies, MPI_COMM_WORLD);
+  const std::vector<mesh::Mesh> meshes = bodies::read_meshes(scene, MPI_COMM_WORLD);
   parallel::on_root(MPI_COMM_WORLD, [&] {
     const nlohmann::json faces = faces_of(scene.bodies, meshes);
     options.style == Style::json ? print_answer(faces) : print_faces(faces);

@@ -159,7 +159,7 @@ int modes(const ModesOptions& options) {
     refuse_with_joints(options, solids);
   }
   const loop::OutputLock lock(options.output, name_of_modes(scene), communicator);
-  const std::vector<mesh::Mesh> meshes = bodies::read_meshes(solids.bodies, communicator);
+  const std::vector<mesh::Mesh> meshes = bodies::read_meshes(solids, communicator);
   parallel::on_root(communicator, [&] {
     if (options.pictures) {
       mode_pictures::require_drawable(meshes.front().surface.size());

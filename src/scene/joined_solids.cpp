@@ -24,6 +24,13 @@ std::vector<std::vector<std::size_t>> assemblies(const Solids& solids) {
   return found;
 }
 
+bool has_common_modes(const Solids& solids, std::size_t body) {
+  const auto& modal = solids.bodies[body].modal;
+  return modal && modal->stretching_tolerance && std::ranges::any_of(solids.joints, [&](const Joint& joint) {
+           return joint.surfaces[0].body == body || joint.surfaces[1].body == body;
+         });
+}
+
 Assembly::Assembly(const Solids& all, std::size_t body) : rest(all.alone(body)) {
   const auto sets = assemblies(all);
   std::vector<std::size_t> parts =

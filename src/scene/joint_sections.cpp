@@ -1,5 +1,6 @@
 // Joints between bodies.
 
+#include "idiophone/scene/joined_solids.hpp"
 #include "idiophone/scene/ranges.hpp"
 #include "idiophone/scene/sections.hpp"
 #include "joint_keys.hpp"
@@ -114,16 +115,41 @@ static bool read(const Node& node, Mistakes& mistakes, Joint& joint, const Scene
 
 namespace {
 
+bool has_large_amplitudes(const Body& body) {
+  return body.modal && body.modal->stretching_tolerance;
+}
+
 /// What a body cannot have beside a joint; empty: nothing.
-std::string obstacle_to_joint(const Body& body) {
-  if (body.modal && body.modal->stretching_tolerance) {
-    return "has large_amplitudes, and its stretching would not pull at the joint: leave them out, or use model: {type: "
-           "finite_elements}";
-  }
+/// @param stretches  whether a body that joints tie to it has large amplitudes
+std::string obstacle_to_joint(const Body& body, const Joint& joint, bool stretches) {
   if (!body.fracture.empty()) {
     return "can break: leave out its fracture or the joint";
   }
+  if (!stretches) {
+    return "";
+  }
+  if (!has_large_amplitudes(body)) {
+    return "has no large_amplitudes, but a body that joints tie to it has: give model: {type: modal, large_amplitudes: "
+           "true} to all of them, or large_amplitudes to none";
+  }
+  if (joint.type == JointType::hinge || joint.shank) {
+    return fmt::format("has large_amplitudes, which know glue, springs and bolts without a shank, but no {}: leave them "
+                       "out, or use model: {{type: finite_elements}}",
+                       joint.type == JointType::hinge ? "hinge" : "shank");
+  }
   return "";
+}
+
+/// [bodies] Whether a body, or one that joints tie to it, has large amplitudes.
+std::vector<bool> stretching_with(const Scene& scene) {
+  const Solids solids(scene);
+  std::vector<bool> result(scene.bodies.size());
+  for (const std::vector<std::size_t>& bodies : assemblies(solids)) {
+    const bool any =
+        std::ranges::any_of(bodies, [&](std::size_t body) { return has_large_amplitudes(scene.bodies[body]); });
+    std::ranges::for_each(bodies, [&](std::size_t body) { result[body] = any; });
+  }
+  return result;
 }
 
 }  // namespace
@@ -134,9 +160,10 @@ bool read_joints(Section& deck, Scene& scene) {
   if (!deck.optional("joints", scene.joints, scene) || scene.bodies.empty()) {
     return false;
   }
+  const std::vector<bool> stretches = stretching_with(scene);
   for (const Joint& joint : scene.joints) {
     for (const JoinedSurface& surface : joint.surfaces) {
-      const std::string why_not = obstacle_to_joint(scene.bodies[surface.body]);
+      const std::string why_not = obstacle_to_joint(scene.bodies[surface.body], joint, stretches[surface.body]);
       if (!why_not.empty()) {
         mistakes.add(surface.where,
                      fmt::format("joints.{}: body '{}' {}", joint.name, scene.bodies[surface.body].name, why_not));

@@ -86,7 +86,7 @@ TEST(StrainSpace, HasTheEnergyOfTheElements) {
     const VibratingBody body = bent.body(type, {3, 2, 1});
     const mesh::Part part = support::whole_part(body.mesh);
     const solid::Elasticity elasticity = solid::elasticity(body.scene.materials[0]);
-    const StrainSpace space(part.bodies[0], part.reference, std::array{stiffness_matrix(elasticity)});
+    const StrainSpace space(part, std::array{std::vector{stiffness_matrix(elasticity)}});
     const Eigen::VectorXd field = wild_field(body.mesh);
     const double found = (space.linear(field) + space.quadratic(field)).squaredNorm() / 2;
     EXPECT_NEAR(found / elastic_energy(body, part, field), 1.0, 1e-12) << element::name(type);
@@ -101,8 +101,7 @@ TEST(StrainSpace, HasTheEnergyOfTheElements) {
 TEST(StrainSpace, RotationOfARigidTurnIsItsAngle) {
   const VibratingBody body = block(element::tet10, {0.1, 0.04, 0.02}, {2, 1, 1});
   const mesh::Part part = support::whole_part(body.mesh);
-  const StrainSpace space(part.bodies[0], part.reference,
-                          std::array{stiffness_matrix(solid::elasticity(body.scene.materials[0]))});
+  const StrainSpace space(part, std::array{std::vector{stiffness_matrix(solid::elasticity(body.scene.materials[0]))}});
   const Vector3 turn(0.03, -0.02, 0.05);
   Eigen::VectorXd field(3 * std::ssize(part.reference));
   for (std::size_t node = 0; node < part.reference.size(); ++node) {

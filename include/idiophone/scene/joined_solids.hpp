@@ -11,6 +11,10 @@ namespace idiophone::scene {
 /// body without joints is by itself.
 [[nodiscard]] std::vector<std::vector<std::size_t>> assemblies(const Solids& solids);
 
+/// Whether joints tie a body to others that have large amplitudes, too. Such bodies have common modes, of which their
+/// joints are a part.
+[[nodiscard]] bool has_common_modes(const Solids& solids, std::size_t body);
+
 /// A body with all others that joints tie to it, directly or not, and these joints. The body comes first, and the
 /// others in the order of the deck.
 struct Assembly {

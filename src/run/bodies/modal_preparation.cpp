@@ -7,6 +7,7 @@
 
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/each_once.hpp"
+#include "idiophone/scene/joined_solids.hpp"
 #include "idiophone/solids/accuracy/pitch_error.hpp"
 #include "idiophone/solids/eigenmodes/compute_modal_basis.hpp"
 
@@ -81,13 +82,34 @@ void require_fine_mesh(const Preparation& ready, std::size_t b) {
   }
 }
 
+/// Adds the bases of an assembly whose bodies have common modes.
+void add_common_bases(const Preparation& ready, const std::vector<std::size_t>& bodies,
+                      const std::vector<mesh::Mesh>& meshes, modal_bodies::ModalBases& bases) {
+  std::vector<mesh::Mesh> own;
+  std::vector<std::vector<Index>> loaded;
+  for (const std::size_t body : bodies) {
+    require_fine_mesh(ready, body);
+    own.push_back(meshes[body]);
+    loaded.push_back(loaded_nodes(ready, body));
+  }
+  std::vector<modal_bodies::ModalBasis> found = eigenmodes::common_bases(ready.scene, bodies, own, loaded);
+  for (std::size_t place = 0; place < bodies.size(); ++place) {
+    bases[bodies[place]] = std::move(found[place]);
+  }
+}
+
 }  // namespace
 
 modal_bodies::ModalBases find_modal_bases(const Preparation& ready, const std::vector<mesh::Mesh>& meshes) {
   modal_bodies::ModalBases bases;
   const auto joined = eigenmodes::joined_motions(ready.scene, meshes);
+  for (const std::vector<std::size_t>& bodies : scene::assemblies(ready.scene)) {
+    if (scene::has_common_modes(ready.scene, bodies.front())) {
+      add_common_bases(ready, bodies, meshes, bases);
+    }
+  }
   for (std::size_t b = 0; b < meshes.size(); ++b) {
-    if (ready.scene.bodies[b].modal) {
+    if (ready.scene.bodies[b].modal && !bases.contains(b)) {
       require_fine_mesh(ready, b);
       const auto motion = joined.find(b);
       bases[b] = eigenmodes::modal_basis(ready.scene, b, meshes[b], loaded_nodes(ready, b),

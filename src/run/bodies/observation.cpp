@@ -55,7 +55,7 @@ std::vector<std::int64_t> observation_words(const Preparation& ready, motion::Mo
     contact.add(motion.contacts().energy(c));
   }
   ReproducibleSum joint;
-  motion.dynamics().joints().add_energy(motion.state(), joint);
+  motion.dynamics().acting_joints().add_energy(motion.state(), joint);
   put(contact);
   put(joint);
   put(motion.work());

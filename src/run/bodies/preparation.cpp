@@ -10,6 +10,7 @@
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/scene/joined_solids.hpp"
 #include "idiophone/solids/contact/outline.hpp"
 #include "modal_preparation.hpp"
 #include "preparation_report.hpp"
@@ -116,15 +117,27 @@ Preparation complete(Preparation ready, const std::vector<mesh::Mesh>& meshes, c
   return ready;
 }
 
+/// One rank has all bodies of common modes.
+void keep_together(const scene::Solids& solids, std::vector<mesh::Mesh>& meshes) {
+  for (const std::vector<std::size_t>& bodies : scene::assemblies(solids)) {
+    for (const std::size_t body : bodies) {
+      if (body != bodies.front() && scene::has_common_modes(solids, body)) {
+        meshes[body].beside = bodies.front();
+      }
+    }
+  }
+}
+
 }  // namespace
 
-std::vector<mesh::Mesh> read_meshes(std::span<const scene::Body> bodies, MPI_Comm communicator) {
+std::vector<mesh::Mesh> read_meshes(const scene::Solids& solids, MPI_Comm communicator) {
   std::vector<mesh::Mesh> meshes;
   parallel::on_root(communicator, [&] {
-    meshes = mesh::read_meshes(bodies);
+    meshes = mesh::read_meshes(solids.bodies);
+    keep_together(solids, meshes);
     for (std::size_t body = 0; body < meshes.size(); ++body) {
       for (const auto& note : meshes[body].notes) {
-        spdlog::warn("body {}: {}", bodies[body].name, note);
+        spdlog::warn("body {}: {}", solids.bodies[body].name, note);
       }
     }
   });
@@ -133,7 +146,7 @@ std::vector<mesh::Mesh> read_meshes(std::span<const scene::Body> bodies, MPI_Com
 
 PreparedMeshes prepare_with_meshes(scene::Scene scene, MPI_Comm communicator, ReadRows rows) {
   if (!reads_in_parts(scene, communicator)) {
-    std::vector<mesh::Mesh> meshes = read_meshes(scene.bodies, communicator);
+    std::vector<mesh::Mesh> meshes = read_meshes(scene, communicator);
     Preparation ready = prepare(std::move(scene), meshes, communicator);
     return {std::move(ready), std::move(meshes), {}};
   }

@@ -2,12 +2,11 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
+#include "basis_of_modes.hpp"
 #include "damped_mode.hpp"
 #include "fewest_terms.hpp"
 #include "find_stretching.hpp"
@@ -15,7 +14,6 @@
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/solids/accuracy/pitch_error.hpp"
 #include "idiophone/solids/mesh/part.hpp"
-#include "idiophone/solids/mesh/statistics.hpp"
 #include "joined_shapes.hpp"
 #include "operators.hpp"
 #include "rigid_motions.hpp"
@@ -24,61 +22,6 @@
 namespace idiophone::eigenmodes {
 
 namespace {
-
-/// Unit normals of the surface at some of its nodes; of nodes inside, any direction.
-std::vector<Vector3> normals_at(std::span<const Index> nodes, const mesh::Mesh& mesh) {
-  std::vector<Vector3> normals(mesh.nodes.size(), Vector3::Zero());
-  for (const auto& [i, j, k] : mesh.surface) {
-    const Vector3 area = (mesh.nodes[j] - mesh.nodes[i]).cross(mesh.nodes[k] - mesh.nodes[i]);
-    for (const Index node : {i, j, k}) {
-      normals[node] += area;
-    }
-  }
-  std::vector<Vector3> chosen;
-  std::ranges::transform(nodes, std::back_inserter(chosen), [&](Index node) {
-    return normals[node].isZero(0.0) ? Vector3(Vector3::UnitZ()) : Vector3(normals[node].normalized());
-  });
-  return chosen;
-}
-
-/// kg/m3
-/// @param mass  of the body, kg
-double mean_density(const scene::Solids& solids, const scene::Body& body, const mesh::Mesh& mesh, double mass) {
-  return body.regions.empty() ? solids.materials[body.material].density : mass / mesh::statistics(mesh).volume;
-}
-
-/// Twice the volume over the surface, m.
-double thickness_of(const mesh::Mesh& mesh, double mass, double density) {
-  double twice_area = 0.0;
-  for (const auto& [i, j, k] : mesh.surface) {
-    twice_area += (mesh.nodes[j] - mesh.nodes[i]).cross(mesh.nodes[k] - mesh.nodes[i]).norm();
-  }
-  return 4 * mass / density / twice_area;
-}
-
-modal_bodies::ModalBasis basis_of(const Modes& found, const motion::Dynamics& dynamics) {
-  modal_bodies::ModalBasis basis;
-  basis.is_free = found.rigid_motions > 0;
-  const std::span<const double> masses = dynamics.model(0).masses();
-  basis.masses.assign(masses.begin(), masses.end());
-  for (const Mode& mode : found.modes) {
-    const double frequency = 2 * std::numbers::pi * mode.frequency;
-    basis.frequencies.push_back(frequency);
-    basis.decay_rates.push_back(mode.damping_ratio * frequency);
-    basis.shapes.insert(basis.shapes.end(), mode.shape.begin(), mode.shape.end());
-  }
-  return basis;
-}
-
-/// Errors name a place in the deck.
-template <class Work>
-auto with_place(const deck::Location& where, const Work& work) {
-  try {
-    return work();
-  } catch (const std::runtime_error& error) {
-    throw deck::DeckError(where, error.what());
-  }
-}
 
 void check(const Modes& found, const scene::Body& body, const deck::Location& where) {
   if (found.rigid_motions != 0 && found.rigid_motions != 6) {
@@ -146,11 +89,6 @@ void add_rest(const Unstressed& body, const scene::Body& stressed_body, const st
   basis.rest_stiffness.assign(added.data(), added.data() + added.size());
 }
 
-/// With a shift where the body can move rigidly.
-ShiftedStiffness invertible_stiffness(const Operators& operators, const Modes& found) {
-  return {operators, found.rigid_motions > 0 ? std::pow(2 * std::numbers::pi * found.shift, 2) : 0.0};
-}
-
 }  // namespace
 
 modal_bodies::ModalBasis modal_basis(const scene::Solids& solids, std::size_t body, const mesh::Mesh& mesh,
@@ -182,17 +120,13 @@ modal_bodies::ModalBasis modal_basis(const scene::Solids& solids, std::size_t bo
       found.modes.push_back(damped_mode(std::move(pair), alone, operators, part, MPI_COMM_SELF));
     }
   }
-  modal_bodies::ModalBasis basis = basis_of(found, operators.dynamics());
+  modal_bodies::ModalBasis basis = basis_of(found, operators.dynamics(), 1);
   basis.further = found.modes.size() - own;
   if (is_deformed(joined)) {
     add_rest({alone, part, attachments, operators}, stressed, joined->rest, found.modes, basis);
   }
   basis.mass_damping = solids.materials[unsupported.material].damping.of_all_motion();
-  double mass = 0.0;
-  for (const double share : basis.masses) {
-    mass += share;
-  }
-  basis.thickness = thickness_of(mesh, mass, mean_density(solids, unsupported, mesh, mass));
+  basis.thickness = thickness_of(solids, unsupported, mesh, basis.masses);
   const ShiftedStiffness stiffness = invertible_stiffness(operators, found);
   basis.residual = residual_flexibility(stiffness, part, basis, loaded, normals_at(loaded, mesh));
   if (model.stretching_tolerance) {
@@ -206,7 +140,7 @@ modal_bodies::ModalBasis modal_basis(const scene::Solids& solids, std::size_t bo
 modal_bodies::Stretching stretching_of(const Modes& found, const scene::Solids& alone, const mesh::Part& part,
                                        const motion::Attachments& attachments, double tolerance) {
   const Operators operators(alone, part, attachments, MassMatrix::lumped, MPI_COMM_SELF);
-  const modal_bodies::ModalBasis basis = basis_of(found, operators.dynamics());
+  const modal_bodies::ModalBasis basis = basis_of(found, operators.dynamics(), part.bodies.size());
   return in_fewest_terms(find_stretching(operators, part, basis, invertible_stiffness(operators, found), tolerance),
                          basis.frequencies, tolerance);
 }

@@ -4,6 +4,7 @@
 #include <random>
 #include <stdexcept>
 
+#include "idiophone/foundation/dense/dense.hpp"
 #include "rigid_motions.hpp"
 #include "static_stretch.hpp"
 
@@ -70,6 +71,33 @@ Eigen::MatrixXd find_range(const StrainSpace& space, const StaticStretch& static
   return range;
 }
 
+/// [bodies][regions]
+std::vector<std::vector<solid::StiffnessMatrix>> elasticities(const Operators& operators, std::size_t bodies) {
+  std::vector<std::vector<solid::StiffnessMatrix>> found(bodies);
+  for (std::size_t body = 0; body < bodies; ++body) {
+    const solid::Solid& solid = operators.dynamics().solid(body);
+    for (std::size_t region = 0; region < solid.region_count(); ++region) {
+      found[body].push_back(stiffness_matrix(solid.elasticity(region)));
+    }
+  }
+  return found;
+}
+
+/// What joints add to the stiffness of undeformed bodies.
+std::vector<NodeSpring> springs(const joints::Joints& joints) {
+  constexpr double rounding = 1e-12;  // of the largest eigenvalue
+  std::vector<NodeSpring> found;
+  for (std::size_t joint = 0; joint < joints.all().size(); ++joint) {
+    joints.for_each_stiffness(joint, [&](std::span<const Index> nodes, const Eigen::MatrixXd& stiffness) {
+      const auto [values, vectors] = dense::eigenpairs(stiffness);
+      const auto kept = (values.array() > rounding * values.tail(1).value()).count();
+      found.push_back({{nodes.begin(), nodes.end()},
+                       values.tail(kept).cwiseSqrt().asDiagonal() * vectors.rightCols(kept).transpose()});
+    });
+  }
+  return found;
+}
+
 /// Shapes without the rigid motions that only supports resist, [3 x nodes, modes]. Turning as a whole strains nothing,
 /// but the second order of a linear field of rotation would.
 Eigen::MatrixXd without_rigid_motions(const Eigen::MatrixXd& shapes, const Operators& operators, const mesh::Part& part,
@@ -95,12 +123,7 @@ modal_bodies::Stretching find_stretching(const Operators& operators, const mesh:
         "stress "
         "that pulls on held faces only, or leave out large_amplitudes");
   }
-  const solid::Solid& solid = operators.dynamics().solid(0);
-  std::vector<solid::StiffnessMatrix> of_regions;
-  for (std::size_t region = 0; region < solid.region_count(); ++region) {
-    of_regions.push_back(stiffness_matrix(solid.elasticity(region)));
-  }
-  const StrainSpace space(part.bodies.front(), part.reference, of_regions);
+  const StrainSpace space(part, elasticities(operators, part.bodies.size()), springs(operators.dynamics().joints()));
   const auto modes = std::ssize(basis.frequencies);
   const Eigen::Map<const Eigen::MatrixXd> all(basis.shapes.data(), std::ssize(basis.shapes) / modes, modes);
   const Eigen::MatrixXd shapes = without_rigid_motions(all, operators, part, basis.masses);

@@ -11,33 +11,11 @@
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 #include "idiophone/solids/joints/joints.hpp"
 #include "operators.hpp"
+#include "wanted_modes.hpp"
 
 namespace idiophone::eigenmodes {
 
 namespace {
-
-/// The modes of the assembly that its modal bodies ask for.
-Options wanted_modes(std::span<const scene::Body> assembly) {
-  Options options;
-  int count = 0;
-  for (const scene::Body& body : assembly) {
-    if (body.modal && body.modal->up_to) {
-      options.up_to = std::max(options.up_to.value_or(0.0), *body.modal->up_to);
-    } else if (body.modal) {
-      count += body.modal->count.value_or(options.count);
-    }
-  }
-  options.count = count;
-  return options;
-}
-
-/// The model that asks for the highest modes: where an error is that the assembly lacks them.
-const scene::ModalModel& most_demanding(std::span<const scene::Body> assembly) {
-  const auto demand = [](const scene::Body& body) {
-    return body.modal ? std::pair(body.modal->up_to.value_or(0.0), body.modal->count.value_or(0)) : std::pair(-1.0, 0);
-  };
-  return *std::ranges::max_element(assembly, {}, demand)->modal;
-}
 
 /// The displacements of one body at rest. [3 x nodes]
 std::vector<double> rest_of(const mesh::BodyPart& body, std::span<const solid::NodeState> rest) {
@@ -93,7 +71,9 @@ void add_motions(const scene::Solids& solids, const std::vector<std::size_t>& bo
 std::map<std::size_t, JoinedMotion> joined_motions(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes) {
   std::map<std::size_t, JoinedMotion> motions;
   for (const std::vector<std::size_t>& bodies : scene::assemblies(solids)) {
-    add_motions(solids, bodies, meshes, motions);
+    if (!scene::has_common_modes(solids, bodies.front())) {
+      add_motions(solids, bodies, meshes, motions);
+    }
   }
   return motions;
 }

@@ -14,6 +14,10 @@ using solid::direction_pairs;
 
 namespace {
 
+Eigen::Index points_of(const mesh::BodyPart& body) {
+  return std::ssize(body.element_ids) * std::ssize(element::reference(body.element).quadrature);
+}
+
 /// The values of fields at an element's nodes. [3 x fields, nodes]: three rows for a field
 Eigen::MatrixXd at_nodes(const Eigen::Ref<const Eigen::MatrixXd>& fields, std::span<const Index> nodes) {
   Eigen::MatrixXd values(3 * fields.cols(), std::ssize(nodes));
@@ -58,27 +62,46 @@ void find_pairs(const std::array<std::array<Eigen::MatrixXd, 3>, 3>& gradients, 
 
 }  // namespace
 
-StrainSpace::StrainSpace(const mesh::BodyPart& body, std::span<const Vector3> reference,
-                         std::span<const solid::StiffnessMatrix> stiffness)
-    : body_(body),
-      reference_(reference),
-      points_(std::ssize(body.element_ids) * std::ssize(element::reference(body.element).quadrature)) {
-  for (const solid::StiffnessMatrix& of_region : stiffness) {
-    roots_.emplace_back(of_region.llt().matrixL());
+StrainSpace::StrainSpace(const mesh::Part& part, std::span<const std::vector<solid::StiffnessMatrix>> stiffness,
+                         std::vector<NodeSpring> springs)
+    : part_(part), springs_(std::move(springs)) {
+  for (const std::vector<solid::StiffnessMatrix>& of_body : stiffness) {
+    std::vector<Matrix6>& roots = roots_.emplace_back();
+    for (const solid::StiffnessMatrix& of_region : of_body) {
+      roots.emplace_back(of_region.llt().matrixL());
+    }
+  }
+  for (const mesh::BodyPart& body : part.bodies) {
+    points_ += points_of(body);
+  }
+  size_ = 6 * points_;
+  for (const NodeSpring& spring : springs_) {
+    size_ += spring.root.rows();
   }
 }
 
 void StrainSpace::for_each_element(const std::function<void(const Element& element)>& visit) const {
-  const auto& quadrature = element::reference(body_.element).quadrature;
+  Eigen::Index first = 0;
+  for (std::size_t body = 0; body < part_.bodies.size(); ++body) {
+    for_each_element(body, first, visit);
+    first += points_of(part_.bodies[body]);
+  }
+}
+
+void StrainSpace::for_each_element(std::size_t number, Eigen::Index first,
+                                   const std::function<void(const Element& element)>& visit) const {
+  const mesh::BodyPart& body = part_.bodies[number];
+  const auto& quadrature = element::reference(body.element).quadrature;
   Element element;
+  element.first = first;
   element.slopes.resize(quadrature.front().gradient.rows(), 3 * std::ssize(quadrature));
   element.volumes.resize(std::ssize(quadrature));
-  for (std::size_t e = 0; e < body_.element_ids.size(); ++e, element.first += element.points()) {
-    element.nodes = body_.element_nodes(e);
-    element.region = static_cast<std::size_t>(body_.region(e));
+  for (std::size_t e = 0; e < body.element_ids.size(); ++e, element.first += element.points()) {
+    element.nodes = body.element_nodes(e);
+    element.root = &roots_[number][static_cast<std::size_t>(body.region(e))];
     Eigen::Matrix3Xd places(3, std::ssize(element.nodes));
     for (Eigen::Index a = 0; a < places.cols(); ++a) {
-      places.col(a) = reference_[element.nodes[static_cast<std::size_t>(a)]];
+      places.col(a) = part_.reference[element.nodes[static_cast<std::size_t>(a)]];
     }
     for (Eigen::Index p = 0; p < element.points(); ++p) {
       const element::QuadraturePoint& point = quadrature[static_cast<std::size_t>(p)];
@@ -92,11 +115,11 @@ void StrainSpace::for_each_element(const std::function<void(const Element& eleme
 
 template <class StrainOf>
 Eigen::MatrixXd StrainSpace::strains(const Eigen::Ref<const Eigen::MatrixXd>& fields, const StrainOf& strain_of) const {
-  Eigen::MatrixXd result(size(), fields.cols());
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(size(), fields.cols());
   for_each_element([&](const Element& element) {
     const Eigen::MatrixXd gradients = at_nodes(fields, element.nodes) * element.slopes;
     for (Eigen::Index p = 0; p < element.points(); ++p) {
-      const Eigen::Matrix<double, 6, 6> root = std::sqrt(element.volumes[p]) * roots_[element.region].transpose();
+      const Matrix6 root = std::sqrt(element.volumes[p]) * element.root->transpose();
       for (Eigen::Index field = 0; field < fields.cols(); ++field) {
         const Eigen::Matrix3d full = strain_of(gradients.block<3, 3>(3 * field, 3 * p));
         Eigen::Vector<double, 6> strain;
@@ -111,8 +134,18 @@ Eigen::MatrixXd StrainSpace::strains(const Eigen::Ref<const Eigen::MatrixXd>& fi
 }
 
 Eigen::MatrixXd StrainSpace::linear(const Eigen::Ref<const Eigen::MatrixXd>& fields) const {
-  return strains(
+  Eigen::MatrixXd result = strains(
       fields, [](const Eigen::Matrix3d& gradient) -> Eigen::Matrix3d { return (gradient + gradient.transpose()) / 2; });
+  Eigen::Index first = 6 * points_;
+  for (const NodeSpring& spring : springs_) {
+    auto stretches = result.middleRows(first, spring.root.rows());
+    for (std::size_t a = 0; a < spring.nodes.size(); ++a) {
+      stretches += spring.root.middleCols<3>(3 * static_cast<Eigen::Index>(a)) *
+                   fields.middleRows<3>(3 * Eigen::Index{spring.nodes[a]});
+    }
+    first += spring.root.rows();
+  }
+  return result;
 }
 
 Eigen::MatrixXd StrainSpace::quadratic(const Eigen::Ref<const Eigen::MatrixXd>& fields) const {
@@ -125,13 +158,13 @@ Eigen::MatrixXd StrainSpace::stresses_of(const Eigen::Ref<const Eigen::MatrixXd>
   Eigen::MatrixXd stresses(6 * element.points(), strains.cols());
   for (Eigen::Index p = 0; p < element.points(); ++p) {
     stresses.middleRows<6>(6 * p) =
-        std::sqrt(element.volumes[p]) * roots_[element.region] * strains.middleRows<6>(6 * (element.first + p));
+        std::sqrt(element.volumes[p]) * *element.root * strains.middleRows<6>(6 * (element.first + p));
   }
   return stresses;
 }
 
 Eigen::MatrixXd StrainSpace::forces(const Eigen::Ref<const Eigen::MatrixXd>& strains) const {
-  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3 * std::ssize(reference_), strains.cols());
+  Eigen::MatrixXd result = Eigen::MatrixXd::Zero(3 * std::ssize(part_.reference), strains.cols());
   for_each_element([&](const Element& element) {
     const Eigen::MatrixXd listed = stresses_of(strains, element);
     Eigen::MatrixXd stresses(3 * strains.cols(), 3 * element.points());
@@ -148,6 +181,15 @@ Eigen::MatrixXd StrainSpace::forces(const Eigen::Ref<const Eigen::MatrixXd>& str
       result.middleRows<3>(3 * element.nodes[static_cast<std::size_t>(a)]).reshaped() += nodal.col(a);
     }
   });
+  Eigen::Index first = 6 * points_;
+  for (const NodeSpring& spring : springs_) {
+    for (std::size_t a = 0; a < spring.nodes.size(); ++a) {
+      result.middleRows<3>(3 * Eigen::Index{spring.nodes[a]}) +=
+          spring.root.middleCols<3>(3 * static_cast<Eigen::Index>(a)).transpose() *
+          strains.middleRows(first, spring.root.rows());
+    }
+    first += spring.root.rows();
+  }
   return result;
 }
 

@@ -30,7 +30,7 @@ ElementLists element_lists(const std::vector<Mesh>& meshes, const Offsets& first
     const Mesh& mesh = meshes[body];
     if (mesh.indivisible) {
       lists.nodes.push_back(vertices.of_node[first.nodes[body]]);
-      lists.weights[lists.nodes.back()] = static_cast<idx_t>(mesh.nodes.size());  // modes are cheap
+      lists.weights[lists.nodes.back()] += static_cast<idx_t>(mesh.nodes.size());  // modes are cheap
       end_element(lists, mesh.nodes.size());
       continue;
     }

@@ -92,9 +92,16 @@ DisjointSets nodes_owned_together(const Mesh& mesh) {
 
 PartitionVertices partition_vertices(const std::vector<Mesh>& meshes) {
   PartitionVertices vertices;
+  std::vector<std::size_t> first_nodes;
   for (const Mesh& mesh : meshes) {
+    first_nodes.push_back(vertices.of_node.size());
+    if (mesh.beside) {
+      vertices.of_node.resize(vertices.of_node.size() + mesh.nodes.size(),
+                              vertices.of_node[first_nodes[*mesh.beside]]);
+      continue;
+    }
     DisjointSets sets = nodes_owned_together(mesh);
-    const std::size_t first = vertices.of_node.size();
+    const std::size_t first = first_nodes.back();
     for (std::size_t node = 0; node < mesh.nodes.size(); ++node) {
       const auto root = static_cast<std::size_t>(sets.root(static_cast<Index>(node)));
       vertices.of_node.push_back(root == node ? vertices.count++ : vertices.of_node[first + root]);

@@ -18,7 +18,7 @@ std::vector<std::size_t> numbers_below(std::size_t end) {
 }  // namespace
 
 ModalBody::ModalBody(std::string name, const Vector3& gravity, const mesh::Part& part, std::size_t number,
-                     const ModalBasis& basis)
+                     const ModalBasis& basis, std::shared_ptr<CommonModes> modes)
     : part_(part),
       body_(part.bodies[number]),
       name_(std::move(name)),
@@ -27,9 +27,10 @@ ModalBody::ModalBody(std::string name, const Vector3& gravity, const mesh::Part&
       has_residual_(std::ranges::any_of(basis.residual, [](double flexibility) { return flexibility > 0; })),
       nodes_(basis.nodes()),
       modes_(basis.modes()),
-      coordinates_(basis),
+      common_(std::move(modes)),
       highest_frequency_(basis.further == 0 ? residual_frequency(basis)
                                             : std::max(residual_frequency(basis), basis.frequencies.back())) {
+  common_->bodies.push_back(this);
   if (body_.owned_begin == body_.owned_end) {
     return;
   }
@@ -84,9 +85,12 @@ double ModalBody::largest_eigenvalue(std::span<const double> springs) const {
 motion::StableStep ModalBody::stable_step(const motion::Supports& supports, const motion::BodyRanks& /*ranks*/) const {
   motion::StableStep result;
   result.damping = largest_eigenvalue(supports.damping);
+  // Supports of other bodies of common modes count as if each were as stiff as these.
+  const auto bodies = static_cast<double>(common_->bodies.size());
+  result.damping *= bodies;
   const double of_stress = rest_.empty() ? 0.0 : rest_stiffness_.cwiseAbs().rowwise().sum().maxCoeff();
   result.largest_frequency =
-      std::sqrt(highest_frequency_ * highest_frequency_ + largest_eigenvalue(supports.stiffness) + of_stress);
+      std::sqrt(highest_frequency_ * highest_frequency_ + bodies * largest_eigenvalue(supports.stiffness) + of_stress);
   result.step = motion::largest_step(result.largest_frequency, result.damping);
   return result;
 }
@@ -116,8 +120,13 @@ void ModalBody::start(const scene::Body& body, const Vector3& centre, std::span<
   if (is_free_) {
     frame_.start(shift, Eigen::Quaterniond(turn), body.velocity, body.spin);
   }
+  // Those of the bodies before it, if it has common modes with them.
   Eigen::ArrayXd places = Eigen::ArrayXd::Zero(static_cast<Eigen::Index>(modes_));
   Eigen::ArrayXd rates = places;
+  if (!is_first()) {
+    places = coordinates().places();
+    rates = coordinates().rates();
+  }
   for (std::size_t node = 0; node < inertia_.masses().size(); ++node) {
     const Vector3 arm = arm_of(node);
     const Vector3 displacement = Vector3(state[body_.owned_begin + node].displacement) - rest_at(node);
@@ -126,7 +135,7 @@ void ModalBody::start(const scene::Body& body, const Vector3& centre, std::span<
     shapes_.add_products(node, inertia_.masses()[node] * deformed, places);
     shapes_.add_products(node, inertia_.masses()[node] * velocity, rates);
   }
-  coordinates_.start(places, rates);
+  coordinates().start(places, rates);
 }
 
 void ModalBody::clear_force(std::span<NodeForce> force) const {
@@ -163,7 +172,18 @@ void ModalBody::find_load(std::span<const NodeForce> force, std::span<const Node
   }
   if (!rest_.empty()) {
     load.modal += rest_force_;
-    load.modal.matrix().noalias() -= rest_stiffness_ * coordinates_.places().matrix();
+    load.modal.matrix().noalias() -= rest_stiffness_ * coordinates().places().matrix();
+  }
+}
+
+void ModalBody::add_loads_of_others(std::span<const NodeForce> force, std::span<const NodeState> state,
+                                    Eigen::ArrayXd& modal) const {
+  for (const ModalBody* body : common_->bodies) {
+    if (body != this) {
+      Load load;
+      body->find_load(force, state, load);
+      modal += load.modal;
+    }
   }
 }
 
@@ -177,9 +197,12 @@ void ModalBody::advance_velocities(const Step& step, std::span<NodeForce> force,
   own.before = before_;
   find_load(force, state, load_);
   if (is_free_) {
-    frame_.advance(own, load_.force, load_.torque, inertia_.change_of_moment(coordinates_.places()));
+    frame_.advance(own, load_.force, load_.torque, inertia_.change_of_moment(coordinates().places()));
   }
-  coordinates_.advance(own, load_.modal);
+  if (is_first()) {
+    add_loads_of_others(force, state, load_.modal);
+    coordinates().advance(own, load_.modal);
+  }
   for (std::size_t pack = 0; pack < chosen_.packs(); ++pack) {
     residual_.advance(pack, load_.at_nodes[pack], own);
   }
@@ -200,8 +223,8 @@ std::optional<motion::ModalState> ModalBody::modal_state() const {
                             .turn_less_one = frame_.turn_less_one(),
                             .velocity = frame_.velocity(),
                             .spin = frame_.spin(),
-                            .places = {coordinates_.places().data(), modes_},
-                            .rates = {coordinates_.rates().data(), modes_}};
+                            .places = {coordinates().places().data(), modes_},
+                            .rates = {coordinates().rates().data(), modes_}};
 }
 
 void ModalBody::archive(parallel::Archive& archive) {
@@ -214,14 +237,14 @@ void ModalBody::archive(parallel::Archive& archive) {
   const bool here = is_here();
   if (modes_ > 0) {
     archive.rows(path + "/modes", rows_of(modes_, here ? modes_ : 0),
-                 [this](std::size_t mode, parallel::ArchiveRow& row) { coordinates_.archive(mode, row); });
+                 [this](std::size_t mode, parallel::ArchiveRow& row) { coordinates().archive(mode, row); });
   }
   archive.rows(path + "/frame", rows_of(1, here ? 1 : 0), [this](std::size_t, parallel::ArchiveRow& row) {
     frame_.archive(row);
     row.value(before_);
-    coordinates_.archive_stored_energy(row);
+    coordinates().archive_stored_energy(row);
   });
-  coordinates_.restored(before_);
+  coordinates().restored(before_);
   if (has_residual_) {
     if (archive.restoring()) {
       residual_.choose(numbers_below(inertia_.masses().size()), step_);

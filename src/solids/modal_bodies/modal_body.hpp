@@ -3,6 +3,7 @@
 // rank. A node X is at c + R (X - C + sum_k q_k phi_k(X) + s), s the residual displacement where a force acts. Among
 // bodies that pull at it at rest, it is displaced by that, too, and its stress at rest acts on the modes.
 
+#include <memory>
 #include <string>
 
 #include "floating_frame.hpp"
@@ -20,14 +21,25 @@ using motion::NodeForce;
 using motion::NodeState;
 using motion::Step;
 
+class ModalBody;
+
+/// The modes of a body, or those that several bodies have in common. All of them lie on one rank.
+struct CommonModes {
+  explicit CommonModes(const ModalBasis& basis) : coordinates(basis) {}
+
+  ModalCoordinates coordinates;
+  std::vector<ModalBody*> bodies;  ///< in their order; the first one takes the coordinates from step to step
+};
+
 class ModalBody : public motion::BodyModel {
  public:
   /// @param name     of the body
   /// @param gravity  m/s2
   /// @param part     must outlive this object; has all nodes of the body, or none
   /// @param number   of the body in the part
+  /// @param modes    of this body and of others, to which it is added; each of them has to live as long as any is used
   ModalBody(std::string name, const Vector3& gravity, const mesh::Part& part, std::size_t number,
-            const ModalBasis& basis);
+            const ModalBasis& basis, std::shared_ptr<CommonModes> modes);
 
   void begin(double step) override;
   void start(const scene::Body& body, const Vector3& centre, std::span<NodeState> state) override;
@@ -51,7 +63,7 @@ class ModalBody : public motion::BodyModel {
                                                const motion::BodyRanks& ranks) const override;
   /// Of the shapes, those of all nodes and in packs, of stretching and of the rest.
   [[nodiscard]] std::size_t bytes() const override {
-    return (2 * modes_ * masses().size() + rest_.size()) * sizeof(Vector3) + coordinates_.bytes() +
+    return (2 * modes_ * masses().size() + rest_.size()) * sizeof(Vector3) + (is_first() ? coordinates().bytes() : 0) +
            static_cast<std::size_t>(rest_stiffness_.size()) * sizeof(double);
   }
   void add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state, const Vector3& centre,
@@ -77,6 +89,14 @@ class ModalBody : public motion::BodyModel {
   /// At least the largest eigenvalue of springs from nodes to the ground among all coordinates, (rad/s)^2.
   /// @param springs  [local nodes] N/m; of dashpots (N s/m), the eigenvalue is in 1/s
   [[nodiscard]] double largest_eigenvalue(std::span<const double> springs) const;
+  [[nodiscard]] ModalCoordinates& coordinates() { return common_->coordinates; }
+  [[nodiscard]] const ModalCoordinates& coordinates() const { return common_->coordinates; }
+  [[nodiscard]] bool is_first() const { return common_->bodies.front() == this; }
+  [[nodiscard]] bool is_alone() const { return common_->bodies.size() == 1; }
+  /// Adds the forces on the other bodies of common modes to those on this one.
+  /// @param modal  [modes] N/kg^1/2
+  void add_loads_of_others(std::span<const NodeForce> force, std::span<const NodeState> state,
+                           Eigen::ArrayXd& modal) const;
   void find_load(std::span<const NodeForce> force, std::span<const NodeState> state, Load& load) const;
   /// m
   [[nodiscard]] Vector3 rest_at(std::size_t node) const { return rest_.empty() ? Vector3::Zero() : rest_[node]; }
@@ -105,7 +125,7 @@ class ModalBody : public motion::BodyModel {
   ModalInertia inertia_;
   NodeGroup all_;     ///< all nodes
   NodeGroup chosen_;  ///< nodes that are read in every step
-  ModalCoordinates coordinates_;
+  std::shared_ptr<CommonModes> common_;
   ResidualFlexibility residual_;         ///< of the chosen nodes
   std::vector<Vector3> rest_;            ///< [nodes] displacements at rest, m; empty: none. Arms are from there
   Vector3 mean_rest_ = Vector3::Zero();  ///< of the centre of mass, m

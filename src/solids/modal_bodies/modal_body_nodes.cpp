@@ -46,7 +46,7 @@ int ModalBody::resolved(int most_at_once) const {
 }
 
 void ModalBody::choose_nodes(std::span<const Index> nodes, int most_at_once) {
-  steps_at_once_ = resolved(most_at_once);
+  steps_at_once_ = is_alone() ? resolved(most_at_once) : 1;  // others of common modes may need each step
   std::vector<std::size_t> chosen;
   for (const Index node : nodes) {
     if (node >= body_.owned_begin && node < body_.owned_end) {
@@ -62,14 +62,14 @@ void ModalBody::choose_nodes(std::span<const Index> nodes, int most_at_once) {
 
 void ModalBody::update_nodes(std::span<NodeState> state) {
   for (std::size_t pack = 0; pack < all_.packs(); ++pack) {
-    move(all_, pack, all_.vibration(pack, coordinates_.places(), coordinates_.rates()), state);
+    move(all_, pack, all_.vibration(pack, coordinates().places(), coordinates().rates()), state);
   }
   update_chosen(state);
 }
 
 void ModalBody::update_chosen(std::span<NodeState> state) const {
   for (std::size_t pack = 0; pack < chosen_.packs(); ++pack) {
-    NodeGroup::Vibration vibration = chosen_.vibration(pack, coordinates_.places(), coordinates_.rates());
+    NodeGroup::Vibration vibration = chosen_.vibration(pack, coordinates().places(), coordinates().rates());
     residual_.add(pack, vibration);
     move(chosen_, pack, vibration, state);
   }

@@ -16,7 +16,7 @@ ModalBody::RestMoments ModalBody::find_rest_moments() const {
 }
 
 double ModalBody::energy_of_rest() const {
-  const Eigen::VectorXd places = coordinates_.places().matrix();
+  const Eigen::VectorXd places = coordinates().places().matrix();
   return rest_.empty() ? 0.0 : places.dot(rest_stiffness_ * places) / 2 - places.dot(rest_force_.matrix());
 }
 
@@ -31,14 +31,15 @@ void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span
   Step own = step;  // as if the next one were as long as the last
   own.length = own.before = before_;
   const FloatingFrame::Motion rigid =
-      is_free_ ? frame_.now(own, now.force, now.torque, inertia_.change_of_moment(coordinates_.places()))
+      is_free_ ? frame_.now(own, now.force, now.torque, inertia_.change_of_moment(coordinates().places()))
                : FloatingFrame::Motion{Vector3::Zero(), Vector3::Zero(), Vector3::Zero()};
   Vector3 displacement = inertia_.mass() * (frame_.shift() + mean_rest_);
   Vector3 momentum = inertia_.mass() * rigid.velocity;
   Vector3 angular = inertia_.mass() * frame_.shift().cross(rigid.velocity) + rigid.angular_momentum;
   Eigen::Matrix3d deformed = rest_moments_.with_arms;  // sum m (r + R sum q phi) a^T, a the arms at rest
-  const Eigen::ArrayXd& places = coordinates_.places();
-  const Eigen::ArrayXd rates = coordinates_.rates_now(own, now.modal);
+  const Eigen::ArrayXd& places = coordinates().places();
+  add_loads_of_others(force, state, now.modal);
+  const Eigen::ArrayXd rates = coordinates().rates_now(own, now.modal);
   for (std::size_t k = 0; k < modes_; ++k) {
     const auto mode = static_cast<Eigen::Index>(k);
     if (!is_free_) {
@@ -50,9 +51,9 @@ void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span
   }
   angular += mean_rest_.cross(momentum);  // frame and arms count from the centre of mass at rest
   const double kinetic = inertia_.mass() / 2 * rigid.velocity.squaredNorm() +
-                         rigid.spin.dot(rigid.angular_momentum) / 2 + rates.square().sum() / 2 +
+                         rigid.spin.dot(rigid.angular_momentum) / 2 + (is_first() ? rates.square().sum() / 2 : 0.0) +
                          residual_.kinetic_energy();
-  const double elastic = coordinates_.elastic_energy() + residual_.elastic_energy() + energy_of_rest();
+  const double elastic = (is_first() ? coordinates().elastic_energy() : 0.0) + residual_.elastic_energy() + energy_of_rest();
   const Eigen::Matrix3d turned = frame_.turn_less_one() * inertia_.second_moment();
   const Eigen::Matrix3d mixed = deformed * frame_.turn_less_one().transpose();
   const Vector3 shift = displacement / inertia_.mass();

@@ -6,20 +6,30 @@
 namespace idiophone::modal_bodies {
 
 motion::ModelMaker modal_models(const scene::Solids& solids, const ModalBases& bases) {
-  return [solids, &bases](const mesh::Part& part, std::size_t body) -> std::unique_ptr<motion::BodyModel> {
+  auto groups = std::make_shared<std::map<std::size_t, std::shared_ptr<CommonModes>>>();
+  return [solids, &bases, groups](const mesh::Part& part, std::size_t body) -> std::unique_ptr<motion::BodyModel> {
     const auto basis = bases.find(body);
     if (basis == bases.end()) {
       return nullptr;
     }
-    return std::make_unique<ModalBody>(solids.bodies[body].name, solids.gravity, part, body, basis->second);
+    const std::size_t first = basis->second.common_with.value_or(body);
+    std::shared_ptr<CommonModes>& group = (*groups)[first];
+    if (first == body) {
+      group = std::make_shared<CommonModes>(basis->second);
+    }
+    return std::make_unique<ModalBody>(solids.bodies[body].name, solids.gravity, part, body, basis->second, group);
   };
 }
 
 namespace {
 
 void broadcast(ModalBasis& basis, MPI_Comm communicator) {
+  constexpr std::size_t alone = -1;
   parallel::broadcast(basis.is_free, communicator);
   parallel::broadcast(basis.further, communicator);
+  std::size_t common_with = basis.common_with.value_or(alone);
+  parallel::broadcast(common_with, communicator);
+  basis.common_with = common_with == alone ? std::nullopt : std::optional(common_with);
   Stretching& stretching = basis.stretching;
   for (auto* values :
        {&basis.frequencies, &basis.decay_rates, &basis.shapes, &basis.masses, &basis.residual, &basis.rest,

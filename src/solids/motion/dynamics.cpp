@@ -1,19 +1,34 @@
 #include "idiophone/solids/motion/dynamics.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 
 #include "accelerated_body.hpp"
 #include "finite_element_body.hpp"
+#include "idiophone/scene/joined_solids.hpp"
 #include "idiophone/solids/motion/initial_state.hpp"
 
 namespace idiophone::motion {
+
+namespace {
+
+std::vector<joints::MeshedJoint> acting(const scene::Solids& solids, const std::vector<joints::MeshedJoint>& joints) {
+  std::vector<joints::MeshedJoint> found;
+  std::ranges::copy_if(joints, std::back_inserter(found), [&](const joints::MeshedJoint& joint) {
+    return !scene::has_common_modes(solids, solids.joints[joint.joint].surfaces[0].body);
+  });
+  return found;
+}
+
+}  // namespace
 
 Dynamics::Dynamics(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments)
     : part_(part),
       loads_(solids, part, attachments),
       constraints_(solids, part, attachments),
-      joints_(attachments.joints, part) {}
+      joints_(attachments.joints, part),
+      acting_joints_(acting(solids, attachments.joints), part) {}
 
 Dynamics::Dynamics(const scene::Solids& solids, const mesh::Part& part, const Attachments& attachments,
                    const ModelMaker& models, accelerator::Accelerator* accelerator)
@@ -101,7 +116,7 @@ void Dynamics::compute_force(double time, std::span<const NodeState> state, std:
 
 void Dynamics::add_outer_forces(double time, std::span<const NodeState> state, std::span<NodeForce> force) const {
   loads_.add(time, state, force);
-  joints_.add_force(state, force);
+  acting_joints_.add_force(state, force);
 }
 
 void Dynamics::hide_exchange() {

@@ -26,7 +26,7 @@ Supports supports_of(const mesh::Part& part, const Dynamics& dynamics) {
   dynamics.loads().add_support_stiffness(supports.stiffness);
   dynamics.loads().add_support_damping(supports.damping);
   dynamics.loads().add_bow_bounds(supports.stiffness, supports.damping);
-  dynamics.joints().add_bounds(supports.stiffness, supports.damping);
+  dynamics.acting_joints().add_bounds(supports.stiffness, supports.damping);
   return supports;
 }
 

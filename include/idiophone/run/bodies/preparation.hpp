@@ -41,7 +41,7 @@ struct Preparation {
 
 /// Reads or makes the meshes of bodies, on rank 0; none elsewhere. Collective.
 /// @throws deck::DeckError for a mesh that can't be used, on rank 0, and parallel::RemoteFailure elsewhere
-[[nodiscard]] std::vector<mesh::Mesh> read_meshes(std::span<const scene::Body> bodies, MPI_Comm communicator);
+[[nodiscard]] std::vector<mesh::Mesh> read_meshes(const scene::Solids& solids, MPI_Comm communicator);
 
 /// Partitions all bodies, and finds their initial state. Collective.
 /// @param scene   the same on all ranks

@@ -23,10 +23,23 @@ namespace idiophone::eigenmodes {
                                                    const mesh::Mesh& mesh, std::span<const Index> loaded,
                                                    const JoinedMotion* joined = nullptr);
 
-/// How a body stretches where its modes vibrate by large amplitudes, in as few terms as the tolerance allows. Runs on
+/// The modes of bodies that joints tie together, all of them with large amplitudes: the modes of the assembly, which
+/// they have in common (scene::has_common_modes). Its stretching is that of the first body. Runs on one rank.
+/// @param bodies  of the assembly, ascending
+/// @param meshes  of these bodies
+/// @param loaded  [these bodies] nodes of the mesh, ascending, that forces may act on
+/// @return one basis for each of these bodies
+/// @throws deck::DeckError, pointing at the model that asks for the highest modes, where nothing holds the assembly, it
+///         does not have these modes, or a prestress deforms it
+[[nodiscard]] std::vector<modal_bodies::ModalBasis> common_bases(const scene::Solids& solids,
+                                                                 const std::vector<std::size_t>& bodies,
+                                                                 const std::vector<mesh::Mesh>& meshes,
+                                                                 std::span<const std::vector<Index>> loaded);
+
+/// How bodies that joints tie together stretch where its modes vibrate by large amplitudes, in as few terms as the tolerance allows. Runs on
 /// one rank.
-/// @param found      modes of the body with the lumped mass; its supports are springs of the modes
-/// @param alone      the body without others, as find_modes() had it, as `part` and `attachments`
+/// @param found      modes with the lumped mass; supports are springs of the modes
+/// @param alone      a body, or all that joints tie together, as find_modes() had it, as `part` and `attachments`
 /// @param tolerance  share of the energy of stretching that may be left out
 [[nodiscard]] modal_bodies::Stretching stretching_of(const Modes& found, const scene::Solids& alone,
                                                      const mesh::Part& part, const motion::Attachments& attachments,

@@ -21,7 +21,7 @@ struct JoinedMotion {
 /// The modes that joints give to modal bodies: those of the bodies they tie together, as finite elements. They reach up
 /// to the highest `up_to` of the modal bodies, or are as many as all of these have by `count`. Runs on one rank.
 /// @param meshes  of all bodies
-/// @return by the number of each modal body that a joint holds
+/// @return by the number of each modal body that a joint holds, without those of common modes (scene::has_common_modes)
 /// @throws deck::DeckError, pointing at a model, where the assembly has no such modes; as Operators where it has no
 /// rest
 [[nodiscard]] std::map<std::size_t, JoinedMotion> joined_motions(const scene::Solids& solids,

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -48,6 +49,7 @@ struct Mesh {
   std::vector<FractureFace> fracture_faces;          ///< of a divided body
   std::map<std::string, std::vector<Index>> groups;  ///< physical group -> its nodes, ascending
   bool indivisible = false;                          ///< one rank has all of it: a modal body
+  std::optional<std::size_t> beside;  ///< of an indivisible body: the rank of that body has it, too, an earlier one
   std::string hash;  ///< 16 hexadecimal digits of nodes, elements and groups: two meshes with one hash are the same
   std::vector<std::string> notes;  ///< for the user: what was done to the shape of the file
   /// Of linear tetrahedra: physical group of surfaces -> its triangles. Other elements have nodes inside their faces or

@@ -109,6 +109,8 @@ class Dynamics {
   [[nodiscard]] const Loads& loads() const { return loads_; }
   [[nodiscard]] const Constraints& constraints() const { return constraints_; }
   [[nodiscard]] const joints::Joints& joints() const { return joints_; }
+  /// Those whose forces act on bodies: not those that are part of common modes (scene::has_common_modes).
+  [[nodiscard]] const joints::Joints& acting_joints() const { return acting_joints_; }
   [[nodiscard]] const std::vector<BodyFracture>& fractures() const { return fractures_; }  ///< of bodies that can break
 
  protected:
@@ -130,6 +132,7 @@ class Dynamics {
   Loads loads_;
   Constraints constraints_;
   joints::Joints joints_;
+  joints::Joints acting_joints_;
   std::vector<std::unique_ptr<BodyModel>> bodies_;  ///< [bodies]
   std::vector<BodyFracture> fractures_;
 };

@@ -1,0 +1,194 @@
+// Joined bodies with large amplitudes, which have the modes of their assembly in common.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "assembly.hpp"
+#include "block_mesh.hpp"
+#include "idiophone/foundation/deck/location.hpp"
+#include "idiophone/solids/eigenmodes/compute_modal_basis.hpp"
+#include "idiophone/solids/modal_bodies/modal_models.hpp"
+#include "idiophone/solids/motion/body_motion.hpp"
+#include "idiophone/solids/motion/motion.hpp"
+#include "idiophone/solids/motion/stable_step.hpp"
+#include "ranks.hpp"
+
+namespace idiophone::eigenmodes {
+namespace {
+
+/// Two strips of steel end to end, 280 x 10 x 1 mm together, glued and held at their outer ends, with large amplitudes.
+/// @param modes  of each strip; 0: finite elements
+Assembly glued_strips(int modes) {
+  Assembly strips;
+  strips.add(support::block_mesh(element::hex(4, 2), {0.12, 0.01, 0.001}, {4, 1, 1}), Vector3::Zero());
+  strips.add(support::block_mesh(element::hex(4, 2), {0.16, 0.01, 0.001}, {5, 2, 1}), {0.12, 0, 0});
+  strips.join("x1", "x0", scene::JointStiffness{1e14, 4e13});
+  strips.scene.bodies[0].fixed.push_back({.group = "x0", .axes = {true, true, true}, .hinge = false, .where = {}});
+  strips.scene.bodies[1].fixed.push_back({.group = "x1", .axes = {true, true, true}, .hinge = false, .where = {}});
+  for (scene::Body& body : strips.scene.bodies) {
+    if (modes > 0) {
+      body.modal = {.up_to = {}, .count = modes, .where = {"deck.yaml", 3, 5}};
+      body.modal->stretching_tolerance = 0.001;
+    }
+  }
+  return strips;
+}
+
+modal_bodies::ModalBases bases_of_strips(const Assembly& strips) {
+  modal_bodies::ModalBases bases;
+  if (strips.scene.bodies.front().modal) {
+    auto found = common_bases(strips.scene, {0, 1}, strips.meshes, std::vector<std::vector<Index>>(2));
+    bases[0] = std::move(found[0]);
+    bases[1] = std::move(found[1]);
+  }
+  return bases;
+}
+
+/// A blow at the joint bends the strips by about three times their thickness.
+class HitStrips {
+ public:
+  static constexpr double blow = 1e-3;  // s
+
+  /// @param modes  of each strip; 0: finite elements
+  explicit HitStrips(int modes) : strips_(glued_strips(modes)) {
+    scene::ForcePulse pulse;
+    pulse.force = {0, 0, 60};
+    pulse.signal.duration = blow;
+    strips_.scene.pulses = {pulse};
+    bases_ = bases_of_strips(strips_);
+    scene::Scene joined = strips_.scene;
+    joined.pulses.clear();
+    attachments_ = motion::attach(joined, strips_.meshes);
+    const auto& nodes = strips_.meshes[0].groups.at("x1");
+    attachments_.pulses = {{nodes, std::vector(nodes.size(), 1.0 / static_cast<double>(nodes.size()))}};
+    part_ = mesh::distribute(strips_.meshes, MPI_COMM_SELF);
+    models_ = modal_bodies::modal_models(strips_.scene, bases_);
+  }
+
+  /// s
+  [[nodiscard]] double stable_step() const {
+    const motion::FiniteElementDynamics elements(strips_.scene, part_, attachments_);
+    const motion::Supports supports = motion::supports_of(part_, elements);
+    double step = 1.0;
+    for (std::size_t body = 0; body < 2; ++body) {
+      const auto model = models_(part_, body);
+      step = std::min(step, (model ? *model : elements.model(body)).stable_step(supports, {}).step);
+    }
+    return step;
+  }
+
+  /// @param step  s
+  void begin(double step) {
+    motion_ = std::make_unique<motion::Motion>(strips_.scene, part_, attachments_, contact::ContactSurfaces{}, step, 16,
+                                               MPI_COMM_SELF, models_, 16);
+    initial_state_ = motion::mass_properties(motion_->dynamics(), part_);
+    motion_->start(initial_state_.centres, {});
+  }
+
+  /// Of the joint, m, by one of its two sides.
+  [[nodiscard]] double height(std::size_t body) {
+    motion_->update_nodes();
+    const auto& nodes = strips_.meshes[body].groups.at(body == 0 ? "x1" : "x0");
+    double sum = 0.0;
+    for (const Index node : nodes) {
+      sum += motion_->state()[part_.bodies[body].owned_begin + node].displacement[2];
+    }
+    return sum / static_cast<double>(nodes.size());
+  }
+
+  /// Of both strips and what acts between them, J.
+  [[nodiscard]] double energy() {
+    ReproducibleSum sum;
+    motion_->dynamics().acting_joints().add_energy(motion_->state(), sum);
+    const auto sums = motion::measure(*motion_, initial_state_);
+    double total = sum.value();
+    for (std::size_t body = 0; body < 2; ++body) {
+      const motion::BodyMotion found = motion::body_motion(sums[body], initial_state_, body);
+      total += found.kinetic + found.elastic;
+    }
+    return total;
+  }
+
+  [[nodiscard]] motion::Motion& motion() { return *motion_; }
+
+ private:
+  Assembly strips_;
+  modal_bodies::ModalBases bases_;
+  motion::Attachments attachments_;
+  mesh::Part part_;
+  motion::ModelMaker models_;
+  motion::InitialState initial_state_;
+  std::unique_ptr<motion::Motion> motion_;
+};
+
+/// Heights of the joint at ten times in 5 ms, m.
+std::vector<double> path(int modes) {
+  HitStrips strips(modes);
+  constexpr double interval = 5e-4;  // s
+  const int steps = static_cast<int>(std::ceil(interval / (0.8 * strips.stable_step())));
+  strips.begin(interval / steps);
+  std::vector<double> heights;
+  for (int place = 1; place <= 10; ++place) {
+    strips.motion().advance_to(std::int64_t{place} * steps);
+    heights.push_back(strips.height(1));
+  }
+  return heights;
+}
+
+ON_RANKS(1);
+
+TEST(CommonModes, MoveAsFiniteElementsByLargeAmplitudes) {
+  const std::vector<double> expected = path(0), found = path(10);
+  const double largest = *std::ranges::max_element(expected);
+  EXPECT_GT(largest, 2.5e-3);
+  for (std::size_t i = 0; i < expected.size(); ++i) {
+    EXPECT_NEAR(found[i], expected[i], 0.01 * largest);
+  }
+}
+
+/// Their steps resolve their own residual flexibility only, not the joint.
+TEST(CommonModes, TakeLongSteps) {
+  EXPECT_GT(HitStrips(10).stable_step(), 1e-5);
+  EXPECT_LT(HitStrips(0).stable_step(), 1e-7);
+}
+
+TEST(CommonModes, KeepTheirEnergyAfterABlow) {
+  HitStrips strips(10);
+  const auto drift = [&](double step) {
+    strips.begin(step);
+    strips.motion().advance_to(static_cast<std::int64_t>(std::ceil(HitStrips::blow / step)) + 1);
+    const double energy = strips.energy();
+    EXPECT_GT(energy, 0.1);
+    double largest = 0.0;
+    for (int i = 0; i < 40; ++i) {
+      strips.motion().advance_to(strips.motion().step_number() + 10);
+      largest = std::max(largest, std::abs(strips.energy() / energy - 1));
+    }
+    return largest;
+  };
+  const double coarse = drift(1e-5), fine = drift(5e-6);
+  EXPECT_LT(coarse, 0.01);
+  EXPECT_LT(fine, 0.3 * coarse);
+}
+
+TEST(CommonModes, NeedBodiesThatAreHeld) {
+  Assembly strips = glued_strips(4);
+  for (scene::Body& body : strips.scene.bodies) {
+    body.fixed.clear();
+  }
+  try {
+    static_cast<void>(bases_of_strips(strips));
+    FAIL();
+  } catch (const deck::DeckError& error) {
+    EXPECT_STREQ(error.what(),
+                 "deck.yaml:3:5: body 'block' and those that joints tie to it can move rigidly in 6 ways: joined bodies "
+                 "with large_amplitudes have to be held by fixed groups. Hold them, or use model: {type: "
+                 "finite_elements}");
+  }
+}
+
+}  // namespace
+}  // namespace idiophone::eigenmodes
