@@ -109,6 +109,18 @@ TEST(Owners, ModalBodiesStayWhole) {
   EXPECT_THROW(static_cast<void>(node_owners(meshes, 3)), std::runtime_error);
 }
 
+TEST(Owners, BodiesOfCommonModesStayTogether) {
+  std::vector<Mesh> meshes(3, read_mesh(shipped("bar.geo", element::tet4)));
+  meshes[1].indivisible = meshes[2].indivisible = true;
+  meshes[2].beside = 1;
+  const std::vector<Index> first = offsets(meshes).nodes;
+  for (const int ranks : {2, 3, 5}) {
+    const auto owners = node_owners(meshes, ranks);
+    EXPECT_EQ(std::set<int>(owners.begin() + first[1], owners.end()).size(), 1U);
+    EXPECT_THAT(nodes_per_rank(owners, ranks), ::testing::Each(::testing::Gt(0))) << ranks;
+  }
+}
+
 // Mass scaling couples the nodes of a column.
 TEST(Owners, ColumnsOfHexahedraStayWhole) {
   const std::vector<Mesh> meshes = {read_mesh(shipped("bar.geo", element::tet4)),

@@ -16,7 +16,12 @@ namespace idiophone::bodies {
 
 namespace {
 
-void report_modes(const modal_bodies::ModalBasis& basis) {
+/// @param number  of the body
+void report_modes(const Preparation& ready, std::size_t number, const modal_bodies::ModalBasis& basis) {
+  if (basis.common_with && *basis.common_with != number) {
+    spdlog::info("  moves by the modes of body {}, which joints tie to it", ready.scene.bodies[*basis.common_with].name);
+    return;
+  }
   constexpr double turn = 2 * std::numbers::pi;
   const std::size_t own = basis.modes() - basis.further;
   spdlog::info("  {}, {} modes from {:.5g} to {:.5g} Hz", basis.is_free ? "rigid motion" : "held", own,
@@ -126,7 +131,7 @@ void report(const Preparation& ready) {
       report_prestress(body, ready.initial_state.masses[b] / mesh.volume);
     }
     if (const auto basis = ready.modal_bases.find(b); basis != ready.modal_bases.end()) {
-      report_modes(basis->second);
+      report_modes(ready, b, basis->second);
       continue;
     }
     if (is_held_everywhere(ready, b)) {

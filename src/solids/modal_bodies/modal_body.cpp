@@ -48,6 +48,9 @@ ModalBody::ModalBody(std::string name, const Vector3& gravity, const mesh::Part&
   rest_moments_ = find_rest_moments();
   all_ = NodeGroup(shapes_, inertia_.arms(), numbers_below(inertia_.masses().size()));
   residual_ = ResidualFlexibility(basis, omitted_mobility());
+  if (basis.common_with) {
+    share_of_mass_ = shapes_.mass_products(inertia_.masses());
+  }
   rest_force_ = Eigen::ArrayXd::Map(basis.rest_force.data(), std::ssize(basis.rest_force));
   rest_stiffness_ =
       Eigen::MatrixXd::Map(basis.rest_stiffness.data(), std::ssize(basis.rest_force), std::ssize(basis.rest_force));

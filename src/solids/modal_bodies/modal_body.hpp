@@ -91,6 +91,9 @@ class ModalBody : public motion::BodyModel {
   [[nodiscard]] double largest_eigenvalue(std::span<const double> springs) const;
   [[nodiscard]] ModalCoordinates& coordinates() { return common_->coordinates; }
   [[nodiscard]] const ModalCoordinates& coordinates() const { return common_->coordinates; }
+  /// Of the vibration, J.
+  /// @param rates  [modes] kg^1/2 m/s
+  [[nodiscard]] double kinetic_energy(const Eigen::ArrayXd& rates) const;
   [[nodiscard]] bool is_first() const { return common_->bodies.front() == this; }
   [[nodiscard]] bool is_alone() const { return common_->bodies.size() == 1; }
   /// Adds the forces on the other bodies of common modes to those on this one.
@@ -132,6 +135,7 @@ class ModalBody : public motion::BodyModel {
   Eigen::ArrayXd rest_force_;            ///< [modes] likewise, of its stress there, N/kg^1/2
   Eigen::MatrixXd rest_stiffness_;       ///< [modes x modes] that this stress adds, 1/s2
   RestMoments rest_moments_;
+  Eigen::MatrixXd share_of_mass_;  ///< [modes x modes] of common modes, M of this body's nodes; empty: the identity
   FloatingFrame frame_;
   Load load_;                 ///< of the step, kept for its memory
   double highest_frequency_;  ///< of all oscillators, rad/s

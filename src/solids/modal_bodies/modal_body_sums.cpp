@@ -20,6 +20,11 @@ double ModalBody::energy_of_rest() const {
   return rest_.empty() ? 0.0 : places.dot(rest_stiffness_ * places) / 2 - places.dot(rest_force_.matrix());
 }
 
+double ModalBody::kinetic_energy(const Eigen::ArrayXd& rates) const {
+  return share_of_mass_.size() == 0 ? rates.square().sum() / 2
+                                    : rates.matrix().dot(share_of_mass_ * rates.matrix()) / 2;
+}
+
 void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span<const NodeState> state,
                          const Vector3& /*centre*/, const motion::BodyUnits& unit,
                          std::span<motion::BodySums> of_body) const {
@@ -51,8 +56,9 @@ void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span
   }
   angular += mean_rest_.cross(momentum);  // frame and arms count from the centre of mass at rest
   const double kinetic = inertia_.mass() / 2 * rigid.velocity.squaredNorm() +
-                         rigid.spin.dot(rigid.angular_momentum) / 2 + (is_first() ? rates.square().sum() / 2 : 0.0) +
+                         rigid.spin.dot(rigid.angular_momentum) / 2 + kinetic_energy(rates) +
                          residual_.kinetic_energy();
+  // Common modes store their energy in all bodies and in the joints between them: it counts as that of the first body.
   const double elastic = (is_first() ? coordinates().elastic_energy() : 0.0) + residual_.elastic_energy() + energy_of_rest();
   const Eigen::Matrix3d turned = frame_.turn_less_one() * inertia_.second_moment();
   const Eigen::Matrix3d mixed = deformed * frame_.turn_less_one().transpose();

@@ -18,6 +18,12 @@ void ModalShapes::add_products(std::size_t node, const Vector3& force, Eigen::Ar
   sums += force[0] * rows_.col(first) + force[1] * rows_.col(first + 1) + force[2] * rows_.col(first + 2);
 }
 
+Eigen::MatrixXd ModalShapes::mass_products(std::span<const double> masses) const {
+  const Eigen::Map<const Eigen::VectorXd> of_nodes(masses.data(), std::ssize(masses));
+  const Eigen::VectorXd of_components = of_nodes.transpose().replicate<3, 1>().reshaped();
+  return rows_.matrix() * of_components.asDiagonal() * rows_.matrix().transpose();
+}
+
 NodeGroup::NodeGroup(const ModalShapes& shapes, std::span<const Vector3> arms, std::vector<std::size_t> nodes)
     : modes_(shapes.modes()),
       nodes_(std::move(nodes)),

@@ -31,6 +31,10 @@ class ModalShapes {
   /// @param sums  [modes]
   void add_products(std::size_t node, const Vector3& force, Eigen::ArrayXd& sums) const;
 
+  /// Sums over the nodes of mass times the product of two modes. [modes x modes]
+  /// @param masses  [nodes] kg
+  [[nodiscard]] Eigen::MatrixXd mass_products(std::span<const double> masses) const;
+
  private:
   Eigen::ArrayXXd rows_;  ///< [modes x (3 x nodes)]: a column for each component of a node
 };
