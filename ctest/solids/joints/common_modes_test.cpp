@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <utility>
 
 #include "assembly.hpp"
 #include "block_mesh.hpp"
@@ -138,7 +139,38 @@ std::vector<double> path(int modes) {
   return heights;
 }
 
+/// The energy of stretching where two of the three lowest modes have an amplitude of 1, sum over both signs and all
+/// pairs, J. The bodies are flat.
+double energy_of_pairs(const Assembly& strips) {
+  const motion::Attachments attachments = motion::attach(strips.scene, strips.meshes);
+  const mesh::Part part = mesh::distribute(strips.meshes, MPI_COMM_SELF);
+  const Modes found = find_modes(strips.scene, part, attachments, {.count = 6}, MPI_COMM_SELF);
+  const modal_bodies::Stretching stretching = stretching_of(found, strips.scene, part, attachments, 1e-5);
+  const auto modes = std::ssize(found.modes);
+  double energy = 0.0;
+  for (std::size_t term = 0; term < stretching.terms(); ++term) {
+    const Eigen::Map<const Eigen::MatrixXd> h(&stretching.quadratic[term * found.modes.size() * found.modes.size()],
+                                              modes, modes);
+    for (const auto& [i, j] : {std::pair(0, 1), {0, 2}, {1, 2}}) {
+      for (const int sign : {1, -1}) {
+        const double z = h(i, i) + h(j, j) + 2 * sign * h(i, j);
+        energy += z * z / 2;
+      }
+    }
+  }
+  return energy;
+}
+
 ON_RANKS(1);
+
+TEST(CommonModes, StretchAsABodyOfOnePiece) {
+  Assembly whole;
+  whole.add(support::block_mesh(element::hex(4, 2), {0.28, 0.01, 0.001}, {9, 1, 1}), Vector3::Zero());
+  for (const char* end : {"x0", "x1"}) {
+    whole.scene.bodies[0].fixed.push_back({.group = end, .axes = {true, true, true}, .hinge = false, .where = {}});
+  }
+  EXPECT_NEAR(energy_of_pairs(glued_strips(0)) / energy_of_pairs(whole), 1.0, 0.01);
+}
 
 TEST(CommonModes, MoveAsFiniteElementsByLargeAmplitudes) {
   const std::vector<double> expected = path(0), found = path(10);
