@@ -136,15 +136,19 @@ TEST_F(Joints, AreRefusedBesideWhatTheyDoNotKnow) {
   const std::string joint = glue("stiffness: rigid");
   const std::string gong = replaced(plate, "fixed: [rim]", "model: {type: modal, large_amplitudes: true}");
   EXPECT_EQ(mistakes(gong + joint), "no mistakes");
-  EXPECT_EQ(mistakes(gong + glue("type: hinge, axis: [[0, 0, 0], [0, 0, 1]]")),
-            "deck.yaml:11:27: joints.glue: body 'plate' has large_amplitudes, which know glue, springs and bolts without "
-            "a shank, but no hinge: leave them out, or use model: {type: finite_elements}\n"
-            "deck.yaml:11:38: joints.glue: body 'plate' has large_amplitudes, which know glue, springs and bolts without "
-            "a shank, but no hinge: leave them out, or use model: {type: finite_elements}");
-  const std::string beside = replaced(gong, "bodies:\n", "bodies:\n  mass: {mesh: plate.geo, material: steel}\n");
-  EXPECT_EQ(mistakes(beside + "joints: {glue: {between: [plate.top, mass.bottom], stiffness: rigid}}\n"),
-            "deck.yaml:12:38: joints.glue: body 'mass' has no large_amplitudes, but a body that joints tie to it has: give "
-            "model: {type: modal, large_amplitudes: true} to all of them, or large_amplitudes to none");
+  EXPECT_EQ(
+      mistakes(gong + glue("type: hinge, axis: [[0, 0, 0], [0, 0, 1]]")),
+      "deck.yaml:11:27: joints.glue: body 'plate' has large_amplitudes, which know glue, springs and bolts without "
+      "a shank, but no hinge: leave them out, or use model: {type: finite_elements}\n"
+      "deck.yaml:11:38: joints.glue: body 'plate' has large_amplitudes, which know glue, springs and bolts without "
+      "a shank, but no hinge: leave them out, or use model: {type: finite_elements}");
+  const std::string beside =
+      replaced(replaced(gong, "bodies:\n", "bodies:\n  mass: {mesh: plate.geo, material: steel}\n"), "tap: {",
+               "tap: {body: plate, ");
+  EXPECT_EQ(
+      mistakes(beside + "joints: {glue: {between: [plate.top, mass.bottom], stiffness: rigid}}\n"),
+      "deck.yaml:12:38: joints.glue: body 'mass' has no large_amplitudes, but a body that joints tie to it has: give "
+      "model: {type: modal, large_amplitudes: true} to all of them, or large_amplitudes to none");
 }
 
 TEST_F(Joints, NeedBodiesThatCouldBeRead) {

@@ -133,9 +133,10 @@ std::string obstacle_to_joint(const Body& body, const Joint& joint, bool stretch
            "true} to all of them, or large_amplitudes to none";
   }
   if (joint.type == JointType::hinge || joint.shank) {
-    return fmt::format("has large_amplitudes, which know glue, springs and bolts without a shank, but no {}: leave them "
-                       "out, or use model: {{type: finite_elements}}",
-                       joint.type == JointType::hinge ? "hinge" : "shank");
+    return fmt::format(
+        "has large_amplitudes, which know glue, springs and bolts without a shank, but no {}: leave them "
+        "out, or use model: {{type: finite_elements}}",
+        joint.type == JointType::hinge ? "hinge" : "shank");
   }
   return "";
 }

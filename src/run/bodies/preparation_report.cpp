@@ -19,7 +19,8 @@ namespace {
 /// @param number  of the body
 void report_modes(const Preparation& ready, std::size_t number, const modal_bodies::ModalBasis& basis) {
   if (basis.common_with && *basis.common_with != number) {
-    spdlog::info("  moves by the modes of body {}, which joints tie to it", ready.scene.bodies[*basis.common_with].name);
+    spdlog::info("  moves by the modes of body {}, which joints tie to it",
+                 ready.scene.bodies[*basis.common_with].name);
     return;
   }
   constexpr double turn = 2 * std::numbers::pi;

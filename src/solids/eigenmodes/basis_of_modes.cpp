@@ -44,9 +44,9 @@ std::vector<Vector3> normals_at(std::span<const Index> nodes, const mesh::Mesh& 
 
 double thickness_of(const scene::Solids& solids, const scene::Body& body, const mesh::Mesh& mesh,
                     std::span<const double> masses) {
-  const double volume = body.regions.empty()
-                            ? std::accumulate(masses.begin(), masses.end(), 0.0) / solids.materials[body.material].density
-                            : mesh::statistics(mesh).volume;
+  const double volume = body.regions.empty() ? std::accumulate(masses.begin(), masses.end(), 0.0) /
+                                                   solids.materials[body.material].density
+                                             : mesh::statistics(mesh).volume;
   double twice_area = 0.0;
   for (const auto& [i, j, k] : mesh.surface) {
     twice_area += (mesh.nodes[j] - mesh.nodes[i]).cross(mesh.nodes[k] - mesh.nodes[i]).norm();

@@ -19,10 +19,11 @@ namespace {
 
 void require_held(const Modes& found, const scene::Body& body, const deck::Location& where) {
   if (found.rigid_motions != 0) {
-    throw deck::DeckError(where, fmt::format("body '{}' and those that joints tie to it can move rigidly in {} ways: "
-                                             "joined bodies with large_amplitudes have to be held by fixed groups. Hold "
-                                             "them, or use model: {{type: finite_elements}}",
-                                             body.name, found.rigid_motions));
+    throw deck::DeckError(where,
+                          fmt::format("body '{}' and those that joints tie to it can move rigidly in {} ways: "
+                                      "joined bodies with large_amplitudes have to be held by fixed groups. Hold "
+                                      "them, or use model: {{type: finite_elements}}",
+                                      body.name, found.rigid_motions));
   }
 }
 

@@ -18,9 +18,9 @@ struct NodeSpring {
   Eigen::MatrixXd root;  ///< R [stretches x 3 nodes] of its stiffness R^T R, (N/m)^1/2
 };
 
-/// A strain e of elements is the vector of sqrt(v) L^T e at all quadrature points: v is the volume of a point (m3), C = L L^T the
-/// stiffness, and shears count twice in e. So the product of two strains is the integral of e : C : e', J. After
-/// them are the stretches R u of springs. A field is [3 x nodes], m; several are columns.
+/// A strain e of elements is the vector of sqrt(v) L^T e at all quadrature points: v is the volume of a point (m3), C =
+/// L L^T the stiffness, and shears count twice in e. So the product of two strains is the integral of e : C : e', J.
+/// After them are the stretches R u of springs. A field is [3 x nodes], m; several are columns.
 class StrainSpace {
  public:
   /// @param part       all bodies, on one rank; must outlive this object
@@ -58,9 +58,9 @@ class StrainSpace {
   struct Element {
     std::span<const Index> nodes;
     const Matrix6* root = nullptr;  ///< L of its region
-    Eigen::Index first = 0;   ///< number of its first point
-    Eigen::MatrixXd slopes;   ///< [nodes, 3 x points] dN_a/dX at each point, 1/m
-    Eigen::VectorXd volumes;  ///< [points] m3
+    Eigen::Index first = 0;         ///< number of its first point
+    Eigen::MatrixXd slopes;         ///< [nodes, 3 x points] dN_a/dX at each point, 1/m
+    Eigen::VectorXd volumes;        ///< [points] m3
 
     [[nodiscard]] Eigen::Index points() const { return volumes.size(); }
   };

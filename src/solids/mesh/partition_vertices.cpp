@@ -96,8 +96,7 @@ PartitionVertices partition_vertices(const std::vector<Mesh>& meshes) {
   for (const Mesh& mesh : meshes) {
     first_nodes.push_back(vertices.of_node.size());
     if (mesh.beside) {
-      vertices.of_node.resize(vertices.of_node.size() + mesh.nodes.size(),
-                              vertices.of_node[first_nodes[*mesh.beside]]);
+      vertices.of_node.resize(vertices.of_node.size() + mesh.nodes.size(), vertices.of_node[first_nodes[*mesh.beside]]);
       continue;
     }
     DisjointSets sets = nodes_owned_together(mesh);

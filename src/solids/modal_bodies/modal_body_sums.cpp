@@ -59,7 +59,8 @@ void ModalBody::add_sums(const Step& step, std::span<NodeForce> force, std::span
                          rigid.spin.dot(rigid.angular_momentum) / 2 + kinetic_energy(rates) +
                          residual_.kinetic_energy();
   // Common modes store their energy in all bodies and in the joints between them: it counts as that of the first body.
-  const double elastic = (is_first() ? coordinates().elastic_energy() : 0.0) + residual_.elastic_energy() + energy_of_rest();
+  const double elastic =
+      (is_first() ? coordinates().elastic_energy() : 0.0) + residual_.elastic_energy() + energy_of_rest();
   const Eigen::Matrix3d turned = frame_.turn_less_one() * inertia_.second_moment();
   const Eigen::Matrix3d mixed = deformed * frame_.turn_less_one().transpose();
   const Vector3 shift = displacement / inertia_.mass();

@@ -36,8 +36,8 @@ namespace idiophone::eigenmodes {
                                                                  const std::vector<mesh::Mesh>& meshes,
                                                                  std::span<const std::vector<Index>> loaded);
 
-/// How bodies that joints tie together stretch where its modes vibrate by large amplitudes, in as few terms as the tolerance allows. Runs on
-/// one rank.
+/// How bodies that joints tie together stretch where its modes vibrate by large amplitudes, in as few terms as the
+/// tolerance allows. Runs on one rank.
 /// @param found      modes with the lumped mass; supports are springs of the modes
 /// @param alone      a body, or all that joints tie together, as find_modes() had it, as `part` and `attachments`
 /// @param tolerance  share of the energy of stretching that may be left out

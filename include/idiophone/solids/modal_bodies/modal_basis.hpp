@@ -31,10 +31,11 @@ struct ModalBasis {
   std::vector<double> rest_stiffness;  ///< [modes x modes] that this stress adds to w^2, 1/s2; empty likewise
   double mass_damping = 0.0;           ///< alpha, 1/s; it slows rigid motion, too
   double thickness = 0.0;              ///< twice the volume over the surface, m
-  /// Joined bodies with large amplitudes have the modes of their assembly in common: the number of its first body, which
-  /// alone has the terms of stretching. Shapes and masses are those of this body's nodes, and x^T M x = 1 of all bodies.
+  /// Joined bodies with large amplitudes have the modes of their assembly in common: the number of its first body,
+  /// which alone has the terms of stretching. Shapes and masses are those of this body's nodes, and x^T M x = 1 of all
+  /// bodies.
   std::optional<std::size_t> common_with;
-  Stretching stretching;               ///< of large vibrations; none where they are taken as small
+  Stretching stretching;  ///< of large vibrations; none where they are taken as small
 
   [[nodiscard]] std::size_t modes() const { return frequencies.size(); }
   [[nodiscard]] std::size_t nodes() const { return masses.size(); }
