@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <utility>
 
 #include "basis_of_modes.hpp"
 #include "fewest_terms.hpp"
@@ -67,6 +68,22 @@ modal_bodies::ModalBasis share_of(const modal_bodies::ModalBasis& all, std::ptrd
   return own;
 }
 
+/// The modes of the assembly at the nodes of all bodies, which follow each other.
+modal_bodies::ModalBasis basis_of_all(const scene::Solids& assembly, const mesh::Part& part, const Operators& operators,
+                                      const LoadedNodes& loaded, const deck::Location& where) {
+  Options options = wanted_modes(assembly.bodies);
+  options.align_double_modes = true;
+  const Modes found = find_modes(assembly, part, operators, options, MPI_COMM_SELF);
+  require_held(found, assembly.bodies.front(), where);
+  modal_bodies::ModalBasis all = basis_of(found, operators.dynamics(), assembly.bodies.size());
+  const ShiftedStiffness stiffness = invertible_stiffness(operators, found);
+  all.residual = residual_flexibility(stiffness, part, all, loaded.numbers, loaded.normals);
+  const double tolerance = least_tolerance(assembly.bodies);
+  all.stretching =
+      in_fewest_terms(find_stretching(operators, part, all, stiffness, tolerance), all.frequencies, tolerance);
+  return all;
+}
+
 }  // namespace
 
 std::vector<modal_bodies::ModalBasis> common_bases(const scene::Solids& solids, const std::vector<std::size_t>& bodies,
@@ -79,32 +96,22 @@ std::vector<modal_bodies::ModalBasis> common_bases(const scene::Solids& solids, 
   const scene::Solids assembly = joined.solids();
   const motion::Attachments attachments = motion::attach(assembly, meshes);
   const mesh::Part part = mesh::distribute(meshes, MPI_COMM_SELF);
-  Options options = wanted_modes(assembly.bodies);
-  options.align_double_modes = true;
-  const scene::ModalModel& model = most_demanding(assembly.bodies);
-  return with_place(model.where, [&] {
-    const Operators operators(assembly, part, attachments, options.mass, MPI_COMM_SELF);
-    const Modes found = find_modes(assembly, part, operators, options, MPI_COMM_SELF);
-    require_held(found, assembly.bodies.front(), model.where);
-    modal_bodies::ModalBasis all = basis_of(found, operators.dynamics(), bodies.size());
-    const ShiftedStiffness stiffness = invertible_stiffness(operators, found);
-    const LoadedNodes nodes = of_assembly(loaded, meshes);
-    all.residual = residual_flexibility(stiffness, part, all, nodes.numbers, nodes.normals);
-    const double tolerance = least_tolerance(assembly.bodies);
-    all.stretching =
-        in_fewest_terms(find_stretching(operators, part, all, stiffness, tolerance), all.frequencies, tolerance);
-    std::vector<modal_bodies::ModalBasis> bases;
-    for (std::size_t place = 0; place < bodies.size(); ++place) {
-      const mesh::BodyPart& body = part.bodies[place];
-      modal_bodies::ModalBasis& own =
-          bases.emplace_back(share_of(all, body.owned_begin, body.owned_end - body.owned_begin));
-      own.common_with = bodies.front();
-      own.mass_damping = solids.materials[assembly.bodies[place].material].damping.of_all_motion();
-      own.thickness = thickness_of(solids, assembly.bodies[place], meshes[place], own.masses);
-    }
-    bases.front().stretching = std::move(all.stretching);
-    return bases;
+  const deck::Location& where = most_demanding(assembly.bodies).where;
+  modal_bodies::ModalBasis all = with_place(where, [&] {
+    const Operators operators(assembly, part, attachments, MassMatrix::lumped, MPI_COMM_SELF);
+    return basis_of_all(assembly, part, operators, of_assembly(loaded, meshes), where);
   });
+  std::vector<modal_bodies::ModalBasis> bases;
+  for (std::size_t place = 0; place < bodies.size(); ++place) {
+    const auto [begin, end] =
+        std::pair<std::ptrdiff_t, std::ptrdiff_t>(part.bodies[place].owned_begin, part.bodies[place].owned_end);
+    modal_bodies::ModalBasis& own = bases.emplace_back(share_of(all, begin, end - begin));
+    own.common_with = bodies.front();
+    own.mass_damping = solids.materials[assembly.bodies[place].material].damping.of_all_motion();
+    own.thickness = thickness_of(solids, assembly.bodies[place], meshes[place], own.masses);
+  }
+  bases.front().stretching = std::move(all.stretching);
+  return bases;
 }
 
 }  // namespace idiophone::eigenmodes
