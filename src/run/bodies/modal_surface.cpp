@@ -167,16 +167,21 @@ void ModalSurface::find_pressures(const Eigen::VectorXd& rates, std::span<double
 }
 
 void ModalSurface::find_positions(const Eigen::VectorXd& coordinates, std::span<double> position) {
-  const Eigen::Matrix3Xd moved = vibration_.displacements().cast<double>();
+  const Eigen::Matrix3d turn = turn_less_one(coordinates);
+  const Vector3 shifted = shift(coordinates);
+  const VertexShapes::Field displacements = vibration_.displacements();
+  Eigen::Map<Eigen::Matrix3Xd> positions(position.data(), 3, arms_.cols());
+  double largest_square = largest_square_;  // in a register
+  for (Eigen::Index v = 0; v < arms_.cols(); ++v) {
+    const Vector3 moved = displacements.col(v).cast<double>();
+    largest_square = std::max(largest_square, moved.squaredNorm());
+    positions.col(v) = reference_.col(v) + moved + shifted + turn * (arms_.col(v) + moved);
+  }
+  largest_square_ = largest_square;
   if (rotation_.size() > 0) {
     const Eigen::VectorXd places = coordinates.tail(rotation_.cols());
     largest_rotation_square_ = std::max(largest_rotation_square_, places.dot(rotation_ * places));
-  } else {
-    largest_square_ = std::max(largest_square_, moved.colwise().squaredNorm().maxCoeff());
   }
-  const Eigen::Matrix3d turn = turn_less_one(coordinates);
-  Eigen::Map<Eigen::Matrix3Xd>(position.data(), 3, arms_.cols()) =
-      ((reference_ + moved).colwise() + Vector3(shift(coordinates))) + turn.lazyProduct(arms_ + moved);
 }
 
 void ModalSurface::archive(std::size_t coordinate, parallel::ArchiveRow& row) {

@@ -40,10 +40,10 @@ class ModalSurface {
   /// Ends an audio sample, after all its reads. Arguments as for start().
   void take(std::span<double> pressure, std::span<double> position);
 
-  /// Largest displacement of a vertex by the modes since the start or a restart, m; of small amplitudes.
+  /// Largest displacement of a vertex by the modes since the start or a restart, m.
   [[nodiscard]] double largest_vibration() const { return std::sqrt(largest_square_); }
 
-  /// Largest root mean square of the rotation angles in the body since then, rad; of large amplitudes.
+  /// Largest root mean square of the rotation angles in the body since then, where its basis has them, rad.
   [[nodiscard]] double largest_rotation() const { return std::sqrt(largest_rotation_square_); }
 
   /// Coordinates of a body: as many rows as the archive has.
