@@ -16,11 +16,11 @@ SAYS_SO = "each rank reads its part of the meshes"
 
 
 @functools.cache
-def mesh_file(name, body):
-    """Its content."""
+def mesh_file(name, body, *settings):
+    """The content of a mesh file of a body of a deck."""
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "body.mesh.h5"
-        job = program.idiophone("mesh", program.deck(name), "--body", body, "-o", path)
+        job = program.idiophone("mesh", program.deck(name), "--body", body, "-o", path, *settings)
         assert job.returncode == program.FINISHED, job.stderr
         return path.read_bytes()
 
@@ -34,10 +34,10 @@ def exchange(rows):
 
 
 class DecksWithMeshFiles(program.TestCase):
-    def mesh(self, name, body):
+    def mesh(self, name, body, *settings):
         """A mesh file of a body of a deck."""
         path = self.output / f"{body}.mesh.h5"
-        path.write_bytes(mesh_file(name, body))
+        path.write_bytes(mesh_file(name, body, *settings))
         return path
 
     def rich_deck(self):
@@ -68,11 +68,12 @@ class DecksWithMeshFiles(program.TestCase):
         return path
 
     def joined_deck(self):
-        """Two blocks with all kinds of joints. The columns of one have more mass."""
+        """Two blocks with all kinds of joints. One has scaled masses; the ranges of three ranks divide some of its columns."""
         lines = program.deck("joined").read_text().splitlines()
         text = "\n".join(line for line in lines if not line.strip().startswith("parameters:"))
-        for body in "left", "right":
-            text = text.replace("../../../meshes/bar.geo", str(self.mesh("joined", body)), 1)
+        fine = "--set", "bodies.right.parameters={length: 0.06, width: 0.03, thickness: 0.012, size: 0.02}"
+        for path in self.mesh("joined", "left"), self.mesh("joined", "right", *fine):
+            text = text.replace("../../../meshes/bar.geo", str(path), 1)
         text = text.replace("velocity: [0, 1, 0]", "velocity: [0, 1, 0]\n    mass_scaling: {shift: 5}")
         text = text.replace("joints:\n", """joints:
   coil: {type: spring, between: [left.clamp, right.tip], stiffness: {axial: 200, lateral: 100}}
@@ -151,7 +152,8 @@ class MeshesInParts(DecksWithMeshFiles):
         run = self.run_deck(deck, "run", ranks=3)
         self.require_status(run, program.FINISHED)
         job = program.idiophone("info", "--json", self.output / "run/joined.h5")
-        largest_part = json.loads(job.stdout)["run"]["jobs"][0]["largest_part"]
+        jobs = json.loads(job.stdout)["run"]["jobs"]
+        largest_part = jobs[0]["largest_part"]
         self.assertGreater(largest_part["ghost_nodes"], 0)
         for processes in 1, 2:
             job = program.idiophone("check", "--json", deck, "--ranks", 3, ranks=processes, environment=PARTS)
@@ -160,6 +162,8 @@ class MeshesInParts(DecksWithMeshFiles):
             prediction = json.loads(job.stdout[job.stdout.index("{"):])["prediction"]
             self.assertEqual(prediction["largest_part"], largest_part)
             self.assertTrue(0 < prediction["speed_up"] <= 3, prediction)
+            for memory in () if program.SANITIZED or processes > 1 else ("memory_bytes", "root_memory_bytes"):
+                self.assertAlmostEqual(prediction[memory] / jobs[0][memory], 1, delta=0.25, msg=memory)
         job = program.idiophone("check", deck, "--ranks", 1, ranks=2, environment=PARTS)
         self.require_status(job, program.FAILED)
         self.assertIn("2 processes are too many for the parts of 1 ranks: use at most 1", job.stderr)
