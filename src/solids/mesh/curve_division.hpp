@@ -35,8 +35,6 @@ class WorkOfNodes {
 struct MovedNode {
   Index node = 0;
   int owner = 0;
-
-  auto operator<=>(const MovedNode&) const = default;
 };
 
 /// The ranks, each with the nodes that it owns. Each process has some of the ranks, one after another; in a run, one.

@@ -1,8 +1,8 @@
 #include "whole_columns.hpp"
 
 #include <algorithm>
+#include <utility>
 
-#include "idiophone/foundation/each_once.hpp"
 #include "idiophone/foundation/parallel/gather.hpp"
 
 namespace idiophone::mesh {
@@ -27,6 +27,13 @@ void add_moved(std::span<const Index> element, std::size_t lines, Index first_no
   }
 }
 
+/// Sorts by nodes; of several owners of one, the lowest stays.
+void keep_each_node_once(std::vector<MovedNode>& moved) {
+  std::ranges::sort(moved, {}, [](const MovedNode& one) { return std::pair(one.node, one.owner); });
+  const auto same_node = [](const MovedNode& a, const MovedNode& b) { return a.node == b.node; };
+  moved.erase(std::unique(moved.begin(), moved.end(), same_node), moved.end());
+}
+
 }  // namespace
 
 std::vector<MovedNode> nodes_moved_to_columns(std::span<const scene::Body> bodies, const std::vector<ElementRows>& rows,
@@ -44,11 +51,9 @@ std::vector<MovedNode> nodes_moved_to_columns(std::span<const scene::Body> bodie
       add_moved(std::span(rows[body].nodes).subspan(place, width), lines, nodes[body], ranges, moved);
     }
   }
-  keep_each_once(moved);
+  keep_each_node_once(moved);
   std::vector<MovedNode> all = parallel::gather_all<MovedNode>(moved, communicator).values;
-  keep_each_once(all);
-  const auto same_node = [](const MovedNode& a, const MovedNode& b) { return a.node == b.node; };
-  all.erase(std::unique(all.begin(), all.end(), same_node), all.end());
+  keep_each_node_once(all);
   return all;
 }
 
