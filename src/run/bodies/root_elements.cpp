@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
-#include <ranges>
+#include <span>
 
 #include "idiophone/foundation/each_once.hpp"
 #include "idiophone/scene/joined_solids.hpp"
@@ -27,7 +27,7 @@ std::vector<std::vector<Index>> nodes_of_root_elements(const scene::Scene& scene
   std::vector<std::vector<Index>> nodes(outlines.size());
   for (std::size_t body = 0; body < nodes.size(); ++body) {
     if (std::ranges::any_of(scene.contacts, [&](const auto& c) { return c.body == body || c.other == body; })) {
-      std::ranges::copy(std::views::join(outlines[body].surface), std::back_inserter(nodes[body]));
+      std::ranges::for_each(outlines[body].surface, [&](const mesh::Triangle& one) { add(one, nodes[body]); });
     }
   }
   for (const scene::Joint& joint : scene.joints) {

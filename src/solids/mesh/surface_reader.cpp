@@ -69,11 +69,11 @@ std::pair<Index, Index> range_of_triangles(const Mesh& outline, Index first_node
 SurfaceRows surface_around(const scene::Body& body, const Mesh& outline, Index first_node,
                            std::span<const std::size_t> node_tags, const NodeDivision& division,
                            MPI_Comm communicator) {
-  const auto [begin, end] = range_of_triangles(outline, first_node, division, communicator);
+  const std::pair<Index, Index> range = range_of_triangles(outline, first_node, division, communicator);
   std::vector<Triangle> read;
-  read_together(body, communicator, [&] { read = read_triangles(body, begin, end); });
+  read_together(body, communicator, [&] { read = read_triangles(body, range.first, range.second); });
   SurfaceRows rows;
-  const auto taken = exchange_by_lowest(read, begin, first_node, division, communicator);
+  const auto taken = exchange_by_lowest(read, range.first, first_node, division, communicator);
   read_together(body, communicator, [&] {
     for (const auto& [number, nodes] : taken) {
       rows.numbers.push_back(number);
