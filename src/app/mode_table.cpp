@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numeric>
 
 #include "idiophone/run/loop/facts.hpp"
@@ -86,19 +87,31 @@ void print_mode(const ModeTable& table, std::size_t number, const std::string& s
   fmt::print("{}{}{}\n", shares, has_kinds(table) ? "  " : "", table.kinds[number]);
 }
 
-/// How far the two modes of a pair are apart, where the shape of a round body parts them most; empty below a cent.
+/// Whether a mode of a round body has a twin, which is turned by a quarter of its nodal angle: "(m, n)" with m above 0.
+bool has_twin(const std::string& kind) {
+  return kind.starts_with('(') && !kind.starts_with("(0,");
+}
+
+/// How far the two modes of a pair are apart, where they are farthest; empty below a cent.
 std::string split_in_words(const ModeTable& table) {
   double widest = 1.0;  // cents
   std::string words;
-  for (std::size_t mode = 0; table.is_round && mode + 1 < table.modes.size(); ++mode) {
-    const double apart = partials::cents(table.modes[mode + 1].frequency, table.modes[mode].frequency);
-    if (table.kinds[mode].starts_with('(') && table.kinds[mode + 1] == table.kinds[mode] && apart > widest) {
+  std::map<std::string, std::size_t> first_ones;  // without their twins so far
+  for (std::size_t mode = 0; table.is_round && mode < table.modes.size(); ++mode) {
+    const auto first = first_ones.find(table.kinds[mode]);
+    if (first == first_ones.end()) {
+      first_ones.emplace(table.kinds[mode], mode);
+      continue;
+    }
+    const double apart = partials::cents(table.modes[mode].frequency, table.modes[first->second].frequency);
+    if (has_twin(table.kinds[mode]) && apart > widest) {
       widest = apart;
       words = fmt::format(
           "(modes {} and {} are one pair and {:.1f} cents apart, because the mesh, the body or what holds it is not "
           "quite round)\n",
-          mode + 1, mode + 2, apart);
+          first->second + 1, mode + 1, apart);
     }
+    first_ones.erase(first);
   }
   return words;
 }

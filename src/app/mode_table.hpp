@@ -24,7 +24,7 @@ struct ModeTable {
   std::vector<std::string> bodies;  ///< names
   std::vector<partials::References> references;
   double tolerance;  ///< of matches with references, cents
-  bool is_round;     ///< a body whose modes come in pairs
+  bool is_round;     ///< one body, whose modes come in pairs
 };
 
 /// Those of a deck, for the table.

@@ -125,6 +125,14 @@ std::vector<std::string> names_of(std::span<const scene::Body> bodies) {
   return names;
 }
 
+/// Whether the modes of the only body come in pairs. Those of a wood or a crystal do not.
+bool is_round(const scene::Scene& scene, const std::vector<mesh::Mesh>& meshes) {
+  return meshes.size() == 1 && mode_kinds::is_round(meshes.front().nodes) &&
+         std::ranges::all_of(scene.bodies.front().all_regions(), [&](const scene::MaterialRegion& region) {
+           return scene.materials[region.material].is_isotropic();
+         });
+}
+
 void answer(const ModesOptions& options, const KnownModes& known, const ModeTable& table) {
   const std::vector<std::string>& names = table.bodies;
   const mesh::Part& part = known.its.part;
@@ -190,8 +198,7 @@ int modes(const ModesOptions& options) {
     }
     answer(options, known,
            {known.its.found.modes, known.mesh_errors, known.air.value_or(AirOfModes{}), known.bounds, known.kinds,
-            names_of(scene.bodies), references_of(scene), options.tolerance,
-            meshes.size() == 1 && mode_kinds::is_round(meshes.front().nodes)});
+            names_of(scene.bodies), references_of(scene), options.tolerance, is_round(scene, meshes)});
     if (!known.left_out.empty()) {
       say_left_out(known.left_out);
     }

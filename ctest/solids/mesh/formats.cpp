@@ -123,12 +123,13 @@ TEST(Formats, ObjOfQuadsIsFilledAndScaled) {
 }
 
 TEST(Formats, AsksForTheUnitOfAPartThatIsTooLarge) {
-  const TemporaryFile file("huge.brep");
-  write_box(file.path(), 0);
-  EXPECT_TRUE(read_mesh(body_of(file.path(), element::tet4)).notes.empty());
-  const auto notes = read_mesh(body_of(file.path(), element::tet4, {{"size", 500}, {"scale", 1000}})).notes;
+  const TemporaryFile file("huge.obj",
+                           "v 0 0 0\nv 200 0 0\nv 0 100 0\nv 200 100 0\nv 0 0 20\nv 200 0 20\nv 0 100 20\n"
+                           "v 200 100 20\nf 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n");
+  const auto notes = read_mesh(body_of(file.path(), element::tet4, {{"size", 50}})).notes;
   ASSERT_EQ(notes.size(), 1U);
-  EXPECT_THAT(notes[0], HasSubstr("it is 2000 m long. Is the file in another unit? `parameters: {scale: 0.001}`"));
+  EXPECT_THAT(notes[0], HasSubstr("it is 200 m long. Is the file in another unit? `parameters: {scale: 0.001}`"));
+  EXPECT_TRUE(read_mesh(body_of(file.path(), element::tet4, {{"size", 50}, {"scale", 1}})).notes.empty()) << "answered";
 }
 
 /// Millimetres that are read as metres would be more cells than gmsh can make in any time.
@@ -164,17 +165,23 @@ TEST(Formats, RefusesOtherParametersThanSizeAndScale) {
 
 TEST(Formats, AMeshHasItsUnitOfLength) {
   const TemporaryFile file("box.msh");
-  write_box(file.path(), 3);  // 2 x 1 x 0.2
+  write_box(file.path(), 3);
   const Mesh metres = read_mesh(body_of(file.path(), element::tet4));
-  const Mesh hundreds = read_mesh(body_of(file.path(), element::tet4, {{"scale", 100.0}}));
+  const Mesh tens = read_mesh(body_of(file.path(), element::tet4, {{"scale", 10.0}}));
   EXPECT_TRUE(metres.notes.empty());
-  ASSERT_EQ(hundreds.notes.size(), 1U);
-  EXPECT_THAT(hundreds.notes[0],
-              HasSubstr("it is 200 m long. Is the file in another unit? `parameters: {scale: 0.001}`"));
-  ASSERT_EQ(hundreds.nodes.size(), metres.nodes.size());
+  ASSERT_EQ(tens.nodes.size(), metres.nodes.size());
   for (std::size_t node = 0; node < metres.nodes.size(); ++node) {
-    EXPECT_EQ(hundreds.nodes[node], Vector3(100.0 * metres.nodes[node]));
+    EXPECT_EQ(tens.nodes[node], Vector3(10.0 * metres.nodes[node]));
   }
+}
+
+TEST(Formats, AsksForTheUnitOfAMeshThatIsTooLarge) {
+  const TemporaryFile file("huge.msh",
+                           "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n1 0 0 0\n2 100 0 0\n3 0 100 0\n"
+                           "4 0 0 100\n$EndNodes\n$Elements\n1\n1 4 2 1 1 1 2 3 4\n$EndElements\n");
+  const auto notes = read_mesh(body_of(file.path(), element::tet4)).notes;
+  ASSERT_EQ(notes.size(), 1U);
+  EXPECT_THAT(notes[0], HasSubstr("it is 100 m long. Is the file in another unit? `parameters: {scale: 0.001}`"));
 }
 
 TEST(Formats, AGeoFileThatIsTooLargeHasLengthsInMetres) {
@@ -182,6 +189,16 @@ TEST(Formats, AGeoFileThatIsTooLargeHasLengthsInMetres) {
   const Mesh mesh = read_mesh(body_of(file.path(), element::tet4));
   ASSERT_EQ(mesh.notes.size(), 1U);
   EXPECT_THAT(mesh.notes[0], HasSubstr("it is 350 m long. Lengths in a .geo file are metres"));
+}
+
+/// The middle of its flat arc is a point of the file, and no node of an element.
+TEST(Formats, AGeoFileMayHavePointsFarAway) {
+  const TemporaryFile file("arc.geo",
+                           "Point(1) = {0, 0, 0, 0.1};\nPoint(2) = {0.1, 0, 0, 0.1};\nPoint(3) = {0.05, 40, 0, 0.1};\n"
+                           "Point(4) = {0.05, -0.1, 0, 0.1};\nCircle(1) = {1, 3, 2};\nLine(2) = {2, 4};\n"
+                           "Line(3) = {4, 1};\nCurve Loop(1) = {1, 2, 3};\nPlane Surface(1) = {1};\n"
+                           "Extrude {0, 0, 0.01} { Surface{1}; }\n");
+  EXPECT_TRUE(read_mesh(body_of(file.path(), element::tet4)).notes.empty());
 }
 
 TEST(Formats, RefusesAnOpenStl) {

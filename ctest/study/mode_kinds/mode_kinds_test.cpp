@@ -152,6 +152,9 @@ TEST(ModeKinds, OfADiscAndAShell) {
       testing::ElementsAre("(2, 0)", "(3, 1)", "(0, 0)", "torsion 1"));
   EXPECT_TRUE(is_round(disc));
   EXPECT_TRUE(is_round(tube));
+  for (const int around : {12, 24}) {  // with nodes on the borders of parts, where rounding deals them to both
+    EXPECT_TRUE(is_round(round(0.0, 1.0, 0.1, {3, around, 3}))) << around;
+  }
   EXPECT_FALSE(is_round(box({1, 1, 0.05}, {8, 8, 2})));
 }
 

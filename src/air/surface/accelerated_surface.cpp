@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <string>
 
@@ -23,6 +24,17 @@ std::vector<Index> by_triangles(const std::vector<Index>& places, std::size_t tr
     }
   }
   return corners;
+}
+
+/// Places in the ring of reads are 32-bit numbers.
+Surface& countable(Surface& surface, std::size_t slots) {
+  if (3 * slots * surface.vertices() > std::numeric_limits<int>::max()) {
+    throw std::runtime_error(fmt::format(
+        "accelerator: it can't count the {} vertices of a surface; start more ranks, or leave finite elements "
+        "to the processor by --accelerate waves",
+        surface.vertices()));
+  }
+  return surface;
 }
 
 /// Calls visit(place among the sums of an accelerator, number) for the outputs of all signals, the oldest first.
@@ -59,7 +71,7 @@ void AcceleratedSurface::Filter::save(LowPass& low_pass) const {
 }
 
 AcceleratedSurface::AcceleratedSurface(accelerator::Accelerator& accelerator, Surface& surface)
-    : surface_(surface),
+    : surface_(countable(surface, slots)),
       triangles_(static_cast<int>(surface.triangles())),
       values_(static_cast<int>(3 * surface.vertices())),
       program_(accelerator, fmt::format("#define SLOTS {}\n", slots) + std::string(surface_file)),
@@ -80,6 +92,9 @@ void AcceleratedSurface::load() {
 }
 
 void AcceleratedSurface::save() const {
+  if (reads_ != 0 || reads_filtered_ != 0) {
+    throw std::logic_error("AcceleratedSurface::save: only between two audio samples, after take()");
+  }
   pressure_.save(surface_.pressure_);
   displacement_.save(surface_.displacement_);
   ring_.read(std::span(surface_.slots_[0]).first(values_), static_cast<std::size_t>(begin_) * values_);
@@ -93,8 +108,12 @@ void AcceleratedSurface::displace(std::size_t first, const accelerator::Array<In
 }
 
 void AcceleratedSurface::read() {
+  const int reads_per_sample = surface_.sampling().reads_per_sample();
+  if (reads_filtered_ == reads_per_sample) {
+    throw std::logic_error("AcceleratedSurface::read: the audio sample is complete; take it first");
+  }
   ++reads_;
-  const bool completes = reads_filtered_ + reads_ == surface_.sampling().reads_per_sample();
+  const bool completes = reads_filtered_ + reads_ == reads_per_sample;
   if (completes || reads_ == slots - 1) {
     filter_reads(completes ? 1 : 0);
   }

@@ -17,7 +17,7 @@ cl_command_queue queue_of(const Accelerator& accelerator) {
 }  // namespace
 
 Memory::Memory(Accelerator& accelerator, std::size_t bytes)
-    : accelerator_(&accelerator), number_(accelerator.number_of_array()) {
+    : accelerator_(&accelerator), number_(accelerator.next_array_number()) {
   const std::size_t length = std::max<std::size_t>(bytes, 4);  // none may be empty
   cl_int status = CL_SUCCESS;
   cl_mem memory =

@@ -3,6 +3,7 @@
 #ifdef IDIOPHONE_HAS_OPENCL
 
 #include <algorithm>
+#include <cstring>
 
 #include "opencl.hpp"
 
@@ -45,14 +46,14 @@ Kernel::Kernel(const Program& program, const char* name) : accelerator_(&program
 }
 
 void Kernel::set(unsigned place, std::size_t bytes, const void* value, std::uint64_t memory) {
-  const std::span given(static_cast<const std::byte*>(value), bytes);
+  Argument given{.bytes = bytes, .memory = memory};
+  std::memcpy(given.value.data(), value, bytes);
   arguments_.resize(std::max<std::size_t>(arguments_.size(), place + 1));
-  Argument& known = arguments_[place];
-  if (known.memory == memory && std::ranges::equal(known.value, given)) {
+  if (arguments_[place] == given) {
     return;
   }
-  known = {{given.begin(), given.end()}, memory};
   require_success(clSetKernelArg(static_cast<cl_kernel>(kernel_.get()), place, bytes, value), "set an argument");
+  arguments_[place] = given;
 }
 
 void Kernel::begin(const Range& range) {

@@ -27,8 +27,8 @@ class Flags {
 
   /// How many both have, and how many any of them has.
   struct Likeness {
-    int both = 0, any = 0;
-    /// Whether the quotient is.
+    std::int64_t both = 0, any = 0;
+    /// Whether both/any is.
     [[nodiscard]] bool is_above(const Likeness& other) const { return both * other.any > other.both * any; }
   };
   [[nodiscard]] Likeness likeness(const Flags& other) const {
@@ -71,20 +71,25 @@ std::size_t most_like(const Flags& of_block, const std::vector<Flags>& has, std:
 /// Each term or pair is followed by that of the next 1024 left which is most like those of its block so far.
 /// @param has   [terms or pairs]
 /// @param left  their numbers
-std::vector<std::size_t> chain(const std::vector<Flags>& has, std::vector<std::size_t> left, std::size_t at_once) {
+std::vector<std::size_t> chain(const std::vector<Flags>& has, const std::vector<std::size_t>& left,
+                               std::size_t at_once) {
   constexpr std::size_t compared = 1024;
   std::vector<std::size_t> order;
+  std::size_t taken = std::min(compared, left.size());
+  std::vector<std::size_t> next_ones(left.begin(), left.begin() + static_cast<std::ptrdiff_t>(taken));
   Flags of_block = has.front();
-  while (!left.empty()) {
-    const auto next = left.begin() + static_cast<std::ptrdiff_t>(most_like(
-                                         of_block, has, std::span(left).first(std::min(compared, left.size()))));
+  while (!next_ones.empty()) {
+    const auto next = next_ones.begin() + static_cast<std::ptrdiff_t>(most_like(of_block, has, next_ones));
     if (order.size() % at_once == 0) {
       of_block = has[*next];
     } else {
       of_block.add(has[*next]);
     }
     order.push_back(*next);
-    left.erase(next);
+    next_ones.erase(next);
+    if (taken < left.size()) {
+      next_ones.push_back(left[taken++]);
+    }
   }
   return order;
 }

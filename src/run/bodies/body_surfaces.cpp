@@ -164,7 +164,7 @@ void BodySurfaces::add_modal_body(std::size_t body, const modal_bodies::ModalBas
                     ModalSurface(basis, shape, sampling())});
 }
 
-void BodySurfaces::accelerate(accelerator::Accelerator& accelerator, motion::Motion& motion) {
+void BodySurfaces::accelerate(accelerator::Accelerator& accelerator, const motion::Motion& motion) {
   if (triangles_.empty()) {
     return;
   }
@@ -172,7 +172,7 @@ void BodySurfaces::accelerate(accelerator::Accelerator& accelerator, motion::Mot
   const mesh::Part& part = ready_.part;
   for (std::size_t body = 0; body < part.bodies.size(); ++body) {
     const std::vector<std::size_t> vertices = vertices_of(triangles_of(body, part), part);
-    const accelerated::AcceleratedSolid* const solid = motion.on_accelerator(body);
+    const accelerated::AcceleratedSolid* const solid = motion.dynamics().model(body).on_accelerator();
     if (solid == nullptr || vertices.empty()) {
       continue;
     }
@@ -205,8 +205,9 @@ void BodySurfaces::start(const motion::Motion& motion, surface::SurfaceMotion& r
 
 void BodySurfaces::read(motion::Motion& motion) {
   if (accelerated_) {
+    motion.update_ghosts_on_accelerator();
     for (const auto& [body, first, nodes] : accelerated_vertices_) {
-      accelerated_->displace(first, nodes, motion.on_accelerator(body)->displacements());
+      accelerated_->displace(first, nodes, motion.dynamics().model(body).on_accelerator()->displacements());
     }
     accelerated_->read();
   } else {

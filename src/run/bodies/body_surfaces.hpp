@@ -25,7 +25,7 @@ class BodySurfaces {
   [[nodiscard]] const surface::Sampling& sampling() const { return finite_elements_.sampling(); }
 
   /// From now on, an accelerator computes the surfaces of finite elements, as it does their motion.
-  void accelerate(accelerator::Accelerator& accelerator, motion::Motion& motion);
+  void accelerate(accelerator::Accelerator& accelerator, const motion::Motion& motion);
 
   /// Begins at time 0. The surfaces are taken to have moved with their velocities for ever.
   void start(const motion::Motion& motion, surface::SurfaceMotion& result);

@@ -48,13 +48,14 @@ const deck::Location& place_of(const scene::Body& body, const std::string& param
 /// The parameters of files other than .geo: `size` for geometries, `scale` for them and for meshes.
 void check_parameters(const scene::Body& body, FileFormat format) {
   for (const auto& [name, value] : body.parameters) {
-    const bool is_known = name == "scale" || (name == "size" && format != FileFormat::msh);
-    if (!is_known || !(value > 0.0)) {
-      throw deck::DeckError(place_of(body, name),
-                            fmt::format("{} takes no parameter {} = {}: {}", body.mesh.string(), name, value,
-                                        format == FileFormat::msh ? "it has scale, its unit (m), above 0"
-                                                                  : "it has size, the largest element size (m), and "
-                                                                    "scale, its unit (m), both above 0"));
+    if (name != "scale" && (name != "size" || format == FileFormat::msh)) {
+      throw deck::DeckError(
+          place_of(body, name),
+          fmt::format("{} takes no parameter {} = {}: it has {}scale, its unit (m)", body.mesh.string(), name, value,
+                      format == FileFormat::msh ? "" : "size, the largest element size (m), and "));
+    }
+    if (!(value > 0.0)) {
+      throw deck::DeckError(place_of(body, name), fmt::format("{} is {}; it has to be above 0", name, value));
     }
   }
 }

@@ -20,14 +20,17 @@ namespace idiophone::mesh {
 
 namespace {
 
-/// Asks about the unit of length of a part that is too small or too large to be a likely thing; otherwise empty.
-std::string unit_question(const std::filesystem::path& file, const std::vector<Vector3>& nodes) {
+/// Asks about the unit of length of a body that is too small or too large to be a likely thing; otherwise empty. A
+/// `scale` in the deck answers the question.
+/// @param nodes  of its elements
+std::string unit_question(const scene::Body& body, const std::vector<Vector3>& nodes) {
   constexpr double shortest = 2e-3, longest = 20.0;  // m
+  const bool is_geo = body.mesh.extension() == ".geo";
   const double length = nodes.empty() ? 0.0 : bounding_box(nodes).sizes().maxCoeff();
-  if (nodes.empty() || (length >= shortest && length <= longest)) {
+  if (nodes.empty() || (length >= shortest && length <= longest) || (!is_geo && body.parameters.contains("scale"))) {
     return "";
   }
-  if (file.extension() == ".geo") {
+  if (is_geo) {
     return fmt::format("it is {:.4g} m long. Lengths in a .geo file are metres", length);
   }
   return fmt::format("it is {:.4g} m long. Is the file in another unit? `parameters: {{scale: {}}}` makes it {:.4g} m",
@@ -53,10 +56,10 @@ GmshMesh read_file(const scene::Body& body, Answers& known) {
   if (loaded.made_here) {
     loaded.mesh.notes.push_back(straighten_distorted(loaded.mesh));
   }
-  if (!loaded.is_stored) {
-    loaded.mesh.notes.push_back(unit_question(body.mesh, loaded.mesh.nodes));
-  }
   drop_unused_nodes(body, loaded);
+  if (!loaded.is_stored) {
+    loaded.mesh.notes.push_back(unit_question(body, loaded.mesh.nodes));
+  }
   if (element::has_choice_of_orders(body.element) && !loaded.is_stored) {
     loaded = spectral_mesh(body, loaded);
   }

@@ -142,9 +142,8 @@ void AcceleratedBody::update_all(std::span<NodeState> state) {
   }
 }
 
-const accelerated::AcceleratedSolid* AcceleratedBody::on_accelerator(std::span<const NodeState> state) {
+void AcceleratedBody::update_ghosts_on_accelerator(std::span<const NodeState> state) {
   there_->write(*ghosts_, state);
-  return &*there_;
 }
 
 void AcceleratedBody::archive(parallel::Archive& archive) {

@@ -33,7 +33,8 @@ class AcceleratedBody : public FiniteElementBody {
   void choose_nodes(std::span<const Index> nodes, int most_at_once) override;
   void update_nodes(std::span<NodeState> state) override;
   void update_all(std::span<NodeState> state) override;
-  [[nodiscard]] const accelerated::AcceleratedSolid* on_accelerator(std::span<const NodeState> state) override;
+  [[nodiscard]] const accelerated::AcceleratedSolid* on_accelerator() const override { return &*there_; }
+  void update_ghosts_on_accelerator(std::span<const NodeState> state) override;
   void archive(parallel::Archive& archive) override;
 
  private:

@@ -215,6 +215,12 @@ void Dynamics::update_nodes(std::span<NodeState> state) {
   }
 }
 
+void Dynamics::update_ghosts_on_accelerator(std::span<const NodeState> state) {
+  for (const auto& body : bodies_) {
+    body->update_ghosts_on_accelerator(state);
+  }
+}
+
 void Dynamics::update_all(std::span<NodeState> state) {
   for (const auto& body : bodies_) {
     body->update_all(state);

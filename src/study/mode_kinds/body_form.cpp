@@ -37,13 +37,14 @@ BodyForm box_along(std::span<const Vector3> nodes, const Eigen::Matrix3d& axes) 
 bool has_round_slices(std::span<const Vector3> nodes, const BodyForm& box) {
   constexpr std::size_t slices = 4, sectors = 12;
   constexpr double least_ratio = 0.95;
+  constexpr double rounding = 1e-6;  // nodes on a border all belong to the part above it
   std::array<std::array<double, sectors>, slices> radius{};
   for (const Vector3& node : nodes) {
     const Vector3 place = box.axes.transpose() * (node - box.centre);
     const double height = place[2] / std::max(box.extents[2], 1e-300) + 0.5;
     const double turn = std::atan2(place[1], place[0]) / (2.0 * std::numbers::pi) + 0.5;
-    double& largest = radius.at(std::min(slices - 1, static_cast<std::size_t>(height * slices)))
-                          .at(std::min(sectors - 1, static_cast<std::size_t>(turn * sectors)));
+    double& largest = radius.at(std::min(slices - 1, static_cast<std::size_t>(height * slices + rounding)))
+                          .at(static_cast<std::size_t>(turn * sectors + rounding) % sectors);
     largest = std::max(largest, std::hypot(place[0], place[1]));
   }
   return std::ranges::all_of(radius, [](const auto& of_slice) {

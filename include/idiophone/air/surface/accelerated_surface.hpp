@@ -8,19 +8,21 @@
 
 namespace idiophone::surface {
 
-/// Does what Surface does, to rounding: in each audio sample, reads_per_sample() times { displace() all vertices,
-/// read()
-/// }, then take(). Only what take() returns leaves the accelerator. All triangles are open.
+/// Does what Surface does, to rounding. An audio sample has reads_per_sample() reads, each after displace() of all
+/// vertices; take() follows. Only what take() returns leaves the accelerator. All triangles are open.
 class AcceleratedSurface {
  public:
   /// @param accelerator  must outlive this object, as must the surface
   /// @param surface      begins or is restored between two audio samples; load() then takes its state
-  /// @throws std::runtime_error if the surface does not fit into the memory of the accelerator
+  /// @throws std::runtime_error if the surface does not fit into the memory of the accelerator, or has more vertices
+  /// than
+  ///         its kernels can count
   AcceleratedSurface(accelerator::Accelerator& accelerator, Surface& surface);
 
   /// Goes on from the state of the surface.
   void load();
-  /// Writes the state to the surface, between two audio samples.
+  /// Writes the state to the surface.
+  /// @throws std::logic_error within an audio sample
   void save() const;
 
   /// Some vertices at the end of the next read.

@@ -37,8 +37,8 @@ class LowPass {
   /// Outputs that an input is added to.
   [[nodiscard]] std::size_t outputs() const { return outputs_; }
 
-  /// Weights of the inputs of an audio sample: [reads][2 outputs]. An input's row stands there twice: from place
-  /// outputs() - n on it fits outputs of which the oldest one has the place n.
+  /// Weights of the inputs of an audio sample: [reads][2 outputs]. The row of an input stands there twice. Where the
+  /// oldest output has the place n, the weights of all places begin at outputs() - n.
   [[nodiscard]] const std::vector<double>& taps() const { return taps_; }
 
   /// What a signal's output has so far; the oldest output is number 0.

@@ -31,8 +31,8 @@ class Accelerator {
   [[nodiscard]] void* device() const { return device_; }
   [[nodiscard]] void* context() const { return context_.get(); }
   [[nodiscard]] void* queue() const { return queue_.get(); }
-  /// A number for each array: OpenCL uses handles again.
-  [[nodiscard]] std::uint64_t number_of_array() { return ++arrays_; }
+  /// The number of one more array. OpenCL reuses the handles of arrays that are gone.
+  [[nodiscard]] std::uint64_t next_array_number() { return ++arrays_; }
   /// Keeps what the device still has to read.
   /// @param arrived  an event
   void keep(Handle arrived, std::vector<std::byte> bytes);

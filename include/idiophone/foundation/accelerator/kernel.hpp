@@ -44,9 +44,12 @@ class Kernel {
   }
 
  private:
+  /// As OpenCL knows it.
   struct Argument {
-    std::vector<std::byte> value;
-    std::uint64_t memory = 0;
+    std::array<std::byte, 8> value{};  ///< a number or a handle
+    std::size_t bytes = 0;
+    std::uint64_t memory = 0;  ///< of the handle
+    bool operator==(const Argument&) const = default;
   };
 
   template <class T>
@@ -65,7 +68,7 @@ class Kernel {
 
   Accelerator* accelerator_;
   Handle kernel_;
-  std::vector<Argument> arguments_;  // as OpenCL knows them; most are the same in each step
+  std::vector<Argument> arguments_;  // most are the same in each step
 };
 
 }  // namespace idiophone::accelerator

@@ -118,12 +118,11 @@ class BodyModel {
   /// Of a body that moves by its modes, on the rank that has it.
   [[nodiscard]] virtual std::optional<ModalState> modal_state() const { return std::nullopt; }
 
-  /// Of a body that an accelerator has stepped: the present displacements of its nodes, those of ghosts included, are
-  /// there.
-  /// @param state  up to date for the ghosts
-  [[nodiscard]] virtual const accelerated::AcceleratedSolid* on_accelerator(std::span<const NodeState> /*state*/) {
-    return nullptr;
-  }
+  /// Of a body that an accelerator steps: its motion there.
+  [[nodiscard]] virtual const accelerated::AcceleratedSolid* on_accelerator() const { return nullptr; }
+
+  /// Brings the displacements of ghosts on an accelerator up to date.
+  virtual void update_ghosts_on_accelerator(std::span<const NodeState> /*state*/) {}
 
   /// Lumped mass of the owned nodes, kg. [owned nodes of the body]
   [[nodiscard]] virtual std::span<const double> masses() const = 0;

@@ -99,12 +99,12 @@ class Dynamics {
 
   /// See BodyModel.
   void update_all(std::span<NodeState> state);
+  void update_ghosts_on_accelerator(std::span<const NodeState> state);
 
   /// All that decides the future, except the states of the nodes. Collective.
   void archive(parallel::Archive& archive);
 
   [[nodiscard]] const BodyModel& model(std::size_t body) const { return *bodies_[body]; }
-  [[nodiscard]] BodyModel& model(std::size_t body) { return *bodies_[body]; }
 
   [[nodiscard]] const Loads& loads() const { return loads_; }
   [[nodiscard]] const Constraints& constraints() const { return constraints_; }

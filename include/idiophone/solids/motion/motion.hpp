@@ -69,10 +69,8 @@ class Motion {
   /// phase of contacts.
   void update_nodes() { dynamics_.update_nodes(state_); }
 
-  /// See BodyModel; between two calls of advance().
-  [[nodiscard]] const accelerated::AcceleratedSolid* on_accelerator(std::size_t body) {
-    return dynamics_.model(body).on_accelerator(state_);
-  }
+  /// Brings the displacements of ghosts on an accelerator up to date, between two calls of advance_to().
+  void update_ghosts_on_accelerator() { dynamics_.update_ghosts_on_accelerator(state_); }
 
   /// Adds what the bodies do now to their sums (see measure); changes nothing in the motion.
   /// @param sums  [bodies], then [pieces]
