@@ -121,6 +121,13 @@ TEST(Owners, BodiesOfCommonModesStayTogether) {
   }
 }
 
+TEST(Owners, BodiesAreBesideEarlierOnes) {
+  std::vector<Mesh> meshes(2, read_mesh(shipped("bar.geo", element::tet4)));
+  meshes[0].indivisible = meshes[1].indivisible = true;
+  meshes[1].beside = 1;
+  EXPECT_THROW(static_cast<void>(node_owners(meshes, 1)), std::invalid_argument);
+}
+
 // Mass scaling couples the nodes of a column.
 TEST(Owners, ColumnsOfHexahedraStayWhole) {
   const std::vector<Mesh> meshes = {read_mesh(shipped("bar.geo", element::tet4)),

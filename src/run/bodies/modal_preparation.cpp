@@ -90,6 +90,7 @@ void add_common_bases(const Preparation& ready, const std::vector<std::size_t>& 
   for (const std::size_t body : bodies) {
     require_fine_mesh(ready, body);
     own.push_back(meshes[body]);
+    own.back().beside.reset();  // a number among all meshes
     loaded.push_back(loaded_nodes(ready, body));
   }
   std::vector<modal_bodies::ModalBasis> found = eigenmodes::common_bases(ready.scene, bodies, own, loaded);

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <limits>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 #include "idiophone/foundation/bounding_box.hpp"
@@ -108,6 +109,14 @@ std::vector<int> equal_chunks(Index vertices, int ranks) {
   return owners;
 }
 
+/// Why there are less parts than nodes.
+std::string_view reason_for_few(const std::vector<Mesh>& meshes) {
+  if (std::ranges::any_of(meshes, [](const Mesh& mesh) { return mesh.beside.has_value(); })) {
+    return ", since each modal body lies on one rank, and joined ones with large amplitudes lie all on one";
+  }
+  return std::ranges::any_of(meshes, &Mesh::indivisible) ? ", since each modal body lies on one rank" : "";
+}
+
 /// From the owners of vertices to those of nodes.
 std::vector<int> of_nodes(const std::vector<int>& vertex_owners, const PartitionVertices& vertices) {
   std::vector<int> owners;
@@ -135,10 +144,9 @@ std::vector<int> node_owners(const std::vector<Mesh>& meshes, int ranks) {
   ElementLists lists = element_lists(meshes, first, vertices);
   const Index most = std::min(vertices.count, static_cast<Index>(lists.begins.size() - 1));
   if (ranks > most) {
-    const bool whole = std::ranges::any_of(meshes, &Mesh::indivisible);
     throw std::runtime_error(fmt::format("{} ranks are too many for {} nodes and {} elements{}: run on at most {}",
-                                         ranks, first.nodes.back(), first.elements.back(),
-                                         whole ? ", since each modal body lies on one rank" : "", most));
+                                         ranks, first.nodes.back(), first.elements.back(), reason_for_few(meshes),
+                                         most));
   }
   if (ranks == 1) {
     return equal_chunks(first.nodes.back(), 1);

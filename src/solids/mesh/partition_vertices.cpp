@@ -1,7 +1,10 @@
 #include "partition_vertices.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <iterator>
+#include <stdexcept>
 
 #include "compressed_rows.hpp"
 #include "idiophone/foundation/disjoint_sets.hpp"
@@ -88,6 +91,15 @@ DisjointSets nodes_owned_together(const Mesh& mesh) {
   return sets;
 }
 
+void require_earlier(std::size_t other, std::size_t body) {
+  if (other >= body) {
+    throw std::invalid_argument(
+        fmt::format("the mesh of body {} of these is to be beside that of body {}, which has "
+                    "to be an earlier one of them: take Mesh::beside from copies",
+                    body, other));
+  }
+}
+
 }  // namespace
 
 PartitionVertices partition_vertices(const std::vector<Mesh>& meshes) {
@@ -96,6 +108,7 @@ PartitionVertices partition_vertices(const std::vector<Mesh>& meshes) {
   for (const Mesh& mesh : meshes) {
     first_nodes.push_back(vertices.of_node.size());
     if (mesh.beside) {
+      require_earlier(*mesh.beside, first_nodes.size() - 1);
       vertices.of_node.resize(vertices.of_node.size() + mesh.nodes.size(), vertices.of_node[first_nodes[*mesh.beside]]);
       continue;
     }

@@ -19,6 +19,7 @@ struct PartitionVertices {
 /// breaks,
 /// - those of a hexahedron that belong to the same elements. A rank that owns one of them computes these elements
 ///   anyway.
+/// @throws std::invalid_argument if a mesh is to be beside one that is not earlier in the list
 [[nodiscard]] PartitionVertices partition_vertices(const std::vector<Mesh>& meshes);
 
 }  // namespace idiophone::mesh

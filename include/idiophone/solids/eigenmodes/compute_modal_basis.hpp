@@ -26,7 +26,7 @@ namespace idiophone::eigenmodes {
 /// The modes of bodies that joints tie together, all of them with large amplitudes: the modes of the assembly, which
 /// they have in common (scene::has_common_modes). Its stretching is that of the first body. Runs on one rank.
 /// @param bodies  of the assembly, ascending
-/// @param meshes  of these bodies
+/// @param meshes  of these bodies, without Mesh::beside
 /// @param loaded  [these bodies] nodes of the mesh, ascending, that forces may act on
 /// @return one basis for each of these bodies
 /// @throws deck::DeckError, pointing at the model that asks for the highest modes, where nothing holds the assembly, it
