@@ -21,8 +21,7 @@ struct SurfaceRows {
 /// @param first_node  global number of the body's first node
 /// @param node_tags   numbers in the body of this process's nodes, ascending
 /// @throws deck::DeckError on rank 0 and parallel::RemoteFailure elsewhere if they can't be read, or one has a node
-/// that
-///         is on no element
+///         that is on no element
 [[nodiscard]] SurfaceRows surface_around(const scene::Body& body, const Mesh& outline, Index first_node,
                                          std::span<const std::size_t> node_tags, const NodeDivision& division,
                                          MPI_Comm communicator);
