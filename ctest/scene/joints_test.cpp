@@ -1,5 +1,6 @@
 // The section joints of a deck.
 
+#include "idiophone/scene/large_amplitudes.hpp"
 #include "mistaken.hpp"
 
 namespace idiophone::scene {
@@ -136,12 +137,10 @@ TEST_F(Joints, AreRefusedBesideWhatTheyDoNotKnow) {
   const std::string joint = glue("stiffness: rigid");
   const std::string gong = replaced(plate, "fixed: [rim]", "model: {type: modal, large_amplitudes: true}");
   EXPECT_EQ(mistakes(gong + joint), "no mistakes");
-  EXPECT_EQ(
-      mistakes(gong + glue("type: hinge, axis: [[0, 0, 0], [0, 0, 1]]")),
-      "deck.yaml:11:27: joints.glue: body 'plate' has large_amplitudes, which know glue, springs and bolts without "
-      "a shank, but no hinge: leave them out, or use model: {type: finite_elements}\n"
-      "deck.yaml:11:38: joints.glue: body 'plate' has large_amplitudes, which know glue, springs and bolts without "
-      "a shank, but no hinge: leave them out, or use model: {type: finite_elements}");
+  EXPECT_EQ(mistakes(gong + glue("type: hinge, axis: [[0, 0, 0], [0, 0, 1]]")),
+            "deck.yaml:11:10: joints.glue: large_amplitudes work with glue, springs and bolts without a shank only, "
+            "not with a "
+            "hinge: leave out large_amplitudes, or use model: {type: finite_elements}");
   const std::string beside =
       replaced(replaced(gong, "bodies:\n", "bodies:\n  mass: {mesh: plate.geo, material: steel}\n"), "tap: {",
                "tap: {body: plate, ");
@@ -149,6 +148,14 @@ TEST_F(Joints, AreRefusedBesideWhatTheyDoNotKnow) {
       mistakes(beside + "joints: {glue: {between: [plate.top, mass.bottom], stiffness: rigid}}\n"),
       "deck.yaml:12:38: joints.glue: body 'mass' has no large_amplitudes, but a body that joints tie to it has: give "
       "model: {type: modal, large_amplitudes: true} to all of them, or large_amplitudes to none");
+}
+
+TEST_F(Joints, CountTheSmallestStretchingTolerance) {
+  std::vector<Body> bodies(3);
+  for (const auto& [body, tolerance] : {std::pair(0, 0.01), {1, 0.001}, {2, 0.1}}) {
+    bodies[body].modal = {.up_to = {}, .count = 4, .stretching_tolerance = tolerance, .where = {}};
+  }
+  EXPECT_EQ(stretching_tolerance(bodies), 0.001);
 }
 
 TEST_F(Joints, NeedBodiesThatCouldBeRead) {

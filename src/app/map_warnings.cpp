@@ -6,6 +6,7 @@
 #include "idiophone/instruments/sound_maps/small_vibrations.hpp"
 #include "idiophone/scene/body_materials.hpp"
 #include "idiophone/scene/joined_bodies.hpp"
+#include "idiophone/scene/large_amplitudes.hpp"
 #include "listener_warnings.hpp"
 
 namespace idiophone::app {
@@ -37,7 +38,7 @@ void warn_of_what_maps_lack(const scene::Scene& scene) {
 
 void refuse_air_mass_of_large_amplitudes(const scene::Scene& scene) {
   for (const scene::Body& body : scene.bodies) {
-    if (body.modal && body.modal->stretching_tolerance) {
+    if (scene::has_large_amplitudes(body)) {
       throw std::runtime_error(
           "--in-air is for small vibrations: body " + body.name +
           " has large_amplitudes, which are known without the mass of the air. Leave out one of them");

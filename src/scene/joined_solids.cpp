@@ -4,6 +4,7 @@
 #include <map>
 
 #include "idiophone/foundation/disjoint_sets.hpp"
+#include "idiophone/scene/large_amplitudes.hpp"
 
 namespace idiophone::scene {
 
@@ -25,8 +26,7 @@ std::vector<std::vector<std::size_t>> assemblies(const Solids& solids) {
 }
 
 bool has_common_modes(const Solids& solids, std::size_t body) {
-  const auto& modal = solids.bodies[body].modal;
-  return modal && modal->stretching_tolerance && std::ranges::any_of(solids.joints, [&](const Joint& joint) {
+  return has_large_amplitudes(solids.bodies[body]) && std::ranges::any_of(solids.joints, [&](const Joint& joint) {
            return joint.surfaces[0].body == body || joint.surfaces[1].body == body;
          });
 }

@@ -1,6 +1,7 @@
 // Joints between bodies.
 
 #include "idiophone/scene/joined_solids.hpp"
+#include "idiophone/scene/large_amplitudes.hpp"
 #include "idiophone/scene/ranges.hpp"
 #include "idiophone/scene/sections.hpp"
 #include "joint_keys.hpp"
@@ -115,30 +116,28 @@ static bool read(const Node& node, Mistakes& mistakes, Joint& joint, const Scene
 
 namespace {
 
-bool has_large_amplitudes(const Body& body) {
-  return body.modal && body.modal->stretching_tolerance;
-}
-
 /// What a body cannot have beside a joint; empty: nothing.
 /// @param stretches  whether a body that joints tie to it has large amplitudes
-std::string obstacle_to_joint(const Body& body, const Joint& joint, bool stretches) {
+std::string obstacle_to_joint(const Body& body, bool stretches) {
   if (!body.fracture.empty()) {
     return "can break: leave out its fracture or the joint";
   }
-  if (!stretches) {
-    return "";
-  }
-  if (!has_large_amplitudes(body)) {
+  if (stretches && !has_large_amplitudes(body)) {
     return "has no large_amplitudes, but a body that joints tie to it has: give model: {type: modal, large_amplitudes: "
            "true} to all of them, or large_amplitudes to none";
   }
-  if (joint.type == JointType::hinge || joint.shank) {
-    return fmt::format(
-        "has large_amplitudes, which know glue, springs and bolts without a shank, but no {}: leave them "
-        "out, or use model: {{type: finite_elements}}",
-        joint.type == JointType::hinge ? "hinge" : "shank");
-  }
   return "";
+}
+
+/// Empty where bodies with large amplitudes can have the joint.
+std::string obstacle_to_large_amplitudes(const Joint& joint) {
+  if (joint.type != JointType::hinge && !joint.shank) {
+    return "";
+  }
+  return fmt::format(
+      "large_amplitudes work with glue, springs and bolts without a shank only, not with a {}: leave out "
+      "large_amplitudes, or use model: {{type: finite_elements}}",
+      joint.type == JointType::hinge ? "hinge" : "shank");
 }
 
 /// [bodies] Whether a body, or one that joints tie to it, has large amplitudes.
@@ -163,8 +162,12 @@ bool read_joints(Section& deck, Scene& scene) {
   }
   const std::vector<bool> stretches = stretching_with(scene);
   for (const Joint& joint : scene.joints) {
+    const bool stretch = stretches[joint.surfaces[0].body];
+    if (const std::string why_not = obstacle_to_large_amplitudes(joint); stretch && !why_not.empty()) {
+      mistakes.add(joint.where, fmt::format("joints.{}: {}", joint.name, why_not));
+    }
     for (const JoinedSurface& surface : joint.surfaces) {
-      const std::string why_not = obstacle_to_joint(scene.bodies[surface.body], joint, stretches[surface.body]);
+      const std::string why_not = obstacle_to_joint(scene.bodies[surface.body], stretches[surface.body]);
       if (!why_not.empty()) {
         mistakes.add(surface.where,
                      fmt::format("joints.{}: body '{}' {}", joint.name, scene.bodies[surface.body].name, why_not));

@@ -6,6 +6,7 @@
 #include <array>
 #include <string>
 
+#include "idiophone/scene/large_amplitudes.hpp"
 #include "idiophone/scene/ranges.hpp"
 #include "idiophone/scene/sections.hpp"
 
@@ -70,7 +71,7 @@ void check_prestress(Section& section, const Body& body, const std::vector<Mater
       return;
     }
   }
-  if (body.modal && body.modal->stretching_tolerance && (prestress.stretch || prestress.temperature != 0.0)) {
+  if (has_large_amplitudes(body) && (prestress.stretch || prestress.temperature != 0.0)) {
     section.refuse("prestress",
                    "has a stretch or a temperature, which large_amplitudes can't have yet: give the stress "
                    "that results, such as xx, or use finite elements");

@@ -11,8 +11,8 @@ namespace idiophone::scene {
 /// body without joints is by itself.
 [[nodiscard]] std::vector<std::vector<std::size_t>> assemblies(const Solids& solids);
 
-/// Whether joints tie a body to others that have large amplitudes, too. Such bodies have common modes, of which their
-/// joints are a part.
+/// Whether a body has large amplitudes and a joint. A deck gives them to all bodies of an assembly, or to none. Such
+/// bodies have common modes, of which their joints are a part.
 [[nodiscard]] bool has_common_modes(const Solids& solids, std::size_t body);
 
 /// A body with all others that joints tie to it, directly or not, and these joints. The body comes first, and the

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "idiophone/scene/large_amplitudes.hpp"
 #include "idiophone/solids/solid/elasticity.hpp"
 
 namespace idiophone::sound_maps {
@@ -116,7 +117,7 @@ std::string why_not_scalable(const scene::Body& body) {
   if (body.mass_scaling) {
     return "it has mass_scaling";
   }
-  if (body.modal && body.modal->stretching_tolerance) {
+  if (scene::has_large_amplitudes(body)) {
     return "it has large_amplitudes";
   }
   return "";

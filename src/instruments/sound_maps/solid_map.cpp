@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "idiophone/scene/joined_bodies.hpp"
+#include "idiophone/scene/large_amplitudes.hpp"
 #include "idiophone/solids/eigenmodes/compute_modal_basis.hpp"
 #include "idiophone/solids/joints/covered_triangles.hpp"
 #include "idiophone/solids/joints/exposed_surface.hpp"
@@ -43,10 +44,6 @@ void add_mass_properties(SoundMap& map, const motion::InitialState& properties) 
   map.centre = origin + moment / map.mass;
 }
 
-bool is_stretched(const scene::Body& body) {
-  return body.modal && body.modal->stretching_tolerance;
-}
-
 std::vector<std::vector<double>> shapes_of(std::vector<eigenmodes::Mode> modes) {
   std::vector<std::vector<double>> shapes;
   shapes.reserve(modes.size());
@@ -61,7 +58,7 @@ std::vector<std::vector<double>> shapes_of(std::vector<eigenmodes::Mode> modes) 
 SolvedSolid solve_solid(const scene::Scene& scene, std::size_t body, const eigenmodes::Options& wanted) {
   SolvedSolid solved{.assembly = scene::assembly_of(scene, body), .options = wanted};
   const scene::Solids solids(solved.assembly);
-  solved.options.align_double_modes = is_stretched(solids.bodies.front());
+  solved.options.align_double_modes = scene::has_large_amplitudes(solids.bodies.front());
   solved.meshes = mesh::read_meshes(solids.bodies);
   solved.attachments = motion::attach(solids, solved.meshes);
   solved.part = mesh::distribute(solved.meshes, MPI_COMM_SELF);
@@ -89,9 +86,9 @@ SoundMap map_of(const scene::Scene& scene, SolvedSolid solved, eigenmodes::Estim
   }
   map.triangles = std::move(surface.triangles);
   add_modes(map, solved.found.modes, surface.nodes);
-  if (is_stretched(first)) {
-    map.stretching =
-        eigenmodes::stretching_of(solved.found, solids, part, solved.attachments, *first.modal->stretching_tolerance);
+  if (scene::has_large_amplitudes(first)) {
+    map.stretching = eigenmodes::stretching_of(solved.found, solids, part, solved.attachments,
+                                               scene::stretching_tolerance(solids.bodies));
   }
   if (is_alone) {
     map.mesh_error = eigenmodes::mesh_errors(solids, solved.meshes, solved.options.mass,
