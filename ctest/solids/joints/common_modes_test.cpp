@@ -80,10 +80,14 @@ class HitStrips {
   [[nodiscard]] double stable_step() const {
     const motion::FiniteElementDynamics elements(strips_.scene, part_, attachments_);
     const motion::Supports supports = motion::supports_of(part_, elements);
+    std::vector<std::unique_ptr<motion::BodyModel>> models;  // those of common modes know each other
+    for (std::size_t body = 0; body < 2; ++body) {
+      models.push_back(models_(part_, body));
+    }
     double step = 1.0;
     for (std::size_t body = 0; body < 2; ++body) {
-      const auto model = models_(part_, body);
-      step = std::min(step, (model ? *model : elements.model(body)).stable_step(supports, {}).step);
+      const motion::BodyModel& model = models[body] ? *models[body] : elements.model(body);
+      step = std::min(step, model.stable_step(supports, {}).step);
     }
     return step;
   }
@@ -213,6 +217,23 @@ TEST(CommonModes, KeepTheirEnergyAfterABlow) {
   const double coarse = drift(1e-5), fine = drift(5e-6);
   EXPECT_LT(coarse, 0.01);
   EXPECT_LT(fine, 0.3 * coarse);
+}
+
+TEST(CommonModes, NeedBodiesThatNoPrestressDeforms) {
+  Assembly strips = glued_strips(4);
+  scene::Body& pulled = strips.scene.bodies[1];
+  pulled.name = "right";
+  pulled.prestress.emplace();
+  pulled.prestress->stress(0, 0) = 1e6;
+  pulled.prestress->where = {"deck.yaml", 9, 5};
+  try {
+    static_cast<void>(bases_of_strips(strips));
+    FAIL();
+  } catch (const deck::DeckError& error) {
+    EXPECT_STREQ(error.what(),
+                 "deck.yaml:9:5: bodies.right.prestress: deforms the body, and large_amplitudes are possible about the "
+                 "undeformed shape only: give a stress that pulls on held faces only, or leave out large_amplitudes");
+  }
 }
 
 TEST(CommonModes, NeedBodiesThatAreHeld) {

@@ -2,10 +2,8 @@
 // What modal bodies need of modes that were found.
 
 #include <span>
-#include <stdexcept>
 #include <vector>
 
-#include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/scene/solids.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
@@ -30,17 +28,5 @@ namespace idiophone::eigenmodes {
 
 /// With a shift where the body can move rigidly.
 [[nodiscard]] ShiftedStiffness invertible_stiffness(const Operators& operators, const Modes& found);
-
-/// Errors name a place in the deck.
-template <class Work>
-auto with_place(const deck::Location& where, const Work& work) {
-  try {
-    return work();
-  } catch (const deck::DeckError&) {
-    throw;
-  } catch (const std::runtime_error& error) {
-    throw deck::DeckError(where, error.what());
-  }
-}
 
 }  // namespace idiophone::eigenmodes

@@ -11,8 +11,11 @@
 #include "find_stretching.hpp"
 #include "flexibility_solution.hpp"
 #include "idiophone/scene/joined_solids.hpp"
+#include "idiophone/scene/large_amplitudes.hpp"
 #include "idiophone/solids/eigenmodes/compute_modal_basis.hpp"
+#include "idiophone/solids/motion/prestress_balance.hpp"
 #include "wanted_modes.hpp"
+#include "with_place.hpp"
 
 namespace idiophone::eigenmodes {
 
@@ -28,12 +31,15 @@ void require_held(const Modes& found, const scene::Body& body, const deck::Locat
   }
 }
 
-double least_tolerance(std::span<const scene::Body> bodies) {
-  double least = *bodies.front().modal->stretching_tolerance;
-  for (const scene::Body& body : bodies) {
-    least = std::min(least, *body.modal->stretching_tolerance);
+/// @throws deck::DeckError, pointing at a prestress that deforms its body
+void require_undeformed(const scene::Solids& assembly, const mesh::Part& part, const Operators& operators) {
+  const std::vector<char> deformed = motion::deformed_by_prestress(assembly, part, operators.dynamics(), MPI_COMM_SELF);
+  for (std::size_t body = 0; body < deformed.size(); ++body) {
+    if (deformed[body] != 0) {
+      throw deck::DeckError(assembly.bodies[body].prestress->where,
+                            fmt::format("bodies.{}.prestress: {}", assembly.bodies[body].name, deforms));
+    }
   }
-  return least;
 }
 
 /// The loaded nodes of all bodies in the numbers of the assembly, and the normals there.
@@ -71,6 +77,7 @@ modal_bodies::ModalBasis share_of(const modal_bodies::ModalBasis& all, std::ptrd
 /// The modes of the assembly at the nodes of all bodies, which follow each other.
 modal_bodies::ModalBasis basis_of_all(const scene::Solids& assembly, const mesh::Part& part, const Operators& operators,
                                       const LoadedNodes& loaded, const deck::Location& where) {
+  require_undeformed(assembly, part, operators);
   Options options = wanted_modes(assembly.bodies);
   options.align_double_modes = true;
   const Modes found = find_modes(assembly, part, operators, options, MPI_COMM_SELF);
@@ -78,7 +85,7 @@ modal_bodies::ModalBasis basis_of_all(const scene::Solids& assembly, const mesh:
   modal_bodies::ModalBasis all = basis_of(found, operators.dynamics(), assembly.bodies.size());
   const ShiftedStiffness stiffness = invertible_stiffness(operators, found);
   all.residual = residual_flexibility(stiffness, part, all, loaded.numbers, loaded.normals);
-  const double tolerance = least_tolerance(assembly.bodies);
+  const double tolerance = scene::stretching_tolerance(assembly.bodies);
   all.stretching =
       in_fewest_terms(find_stretching(operators, part, all, stiffness, tolerance), all.frequencies, tolerance);
   return all;

@@ -18,6 +18,7 @@
 #include "operators.hpp"
 #include "rigid_motions.hpp"
 #include "shifted_stiffness.hpp"
+#include "with_place.hpp"
 
 namespace idiophone::eigenmodes {
 

@@ -1,5 +1,7 @@
 #include "find_stretching.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <random>
 #include <stdexcept>
@@ -118,10 +120,7 @@ modal_bodies::Stretching find_stretching(const Operators& operators, const mesh:
                                          const modal_bodies::ModalBasis& basis, const ShiftedStiffness& stiffness,
                                          double tolerance) {
   if (operators.is_deformed()) {
-    throw std::runtime_error(
-        "the prestress deforms the body, and large_amplitudes are possible about the undeformed shape only: give a "
-        "stress "
-        "that pulls on held faces only, or leave out large_amplitudes");
+    throw std::runtime_error(fmt::format("the prestress {}", deforms));
   }
   const StrainSpace space(part, elasticities(operators, part.bodies.size()), springs(operators.dynamics().joints()));
   const auto modes = std::ssize(basis.frequencies);

@@ -7,6 +7,11 @@
 
 namespace idiophone::eigenmodes {
 
+/// What is wrong with a prestress beside large amplitudes.
+constexpr const char* deforms =
+    "deforms the body, and large_amplitudes are possible about the undeformed shape only: give a stress that pulls on "
+    "held faces only, or leave out large_amplitudes";
+
 /// Finds the strains that stretching consists of by a range finder (Halko, Martinsson and Tropp, SIAM Review 53, 2011):
 /// random vibrations, with the same energy in all modes on average, give strains, until new ones hold nothing new. The
 /// random numbers are the same in each call. Runs on one rank.

@@ -6,12 +6,12 @@
 #include <numbers>
 #include <span>
 
-#include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/scene/joined_solids.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 #include "idiophone/solids/joints/joints.hpp"
 #include "operators.hpp"
 #include "wanted_modes.hpp"
+#include "with_place.hpp"
 
 namespace idiophone::eigenmodes {
 
@@ -41,12 +41,9 @@ void add_motions(const scene::Solids& solids, const std::vector<std::size_t>& bo
   const motion::Attachments attachments = motion::attach(assembly, own);
   const mesh::Part part = mesh::distribute(own, MPI_COMM_SELF);
   const Operators operators(assembly, part, attachments, MassMatrix::lumped, MPI_COMM_SELF);
-  Modes found;
-  try {
-    found = find_modes(assembly, part, operators, wanted_modes(assembly.bodies), MPI_COMM_SELF);
-  } catch (const std::runtime_error& error) {
-    throw deck::DeckError(most_demanding(assembly.bodies).where, error.what());
-  }
+  const Modes found = with_place(most_demanding(assembly.bodies).where, [&] {
+    return find_modes(assembly, part, operators, wanted_modes(assembly.bodies), MPI_COMM_SELF);
+  });
   std::vector<double> springs(part.node_ids.size()), dashpots(springs.size());
   joints::Joints(attachments.joints, part).add_bounds(springs, dashpots);
   for (std::size_t place = 0; place < bodies.size(); ++place) {

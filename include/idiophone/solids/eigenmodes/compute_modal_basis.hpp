@@ -29,8 +29,9 @@ namespace idiophone::eigenmodes {
 /// @param meshes  of these bodies, without Mesh::beside
 /// @param loaded  [these bodies] nodes of the mesh, ascending, that forces may act on
 /// @return one basis for each of these bodies
-/// @throws deck::DeckError, pointing at the model that asks for the highest modes, where nothing holds the assembly, it
-///         does not have these modes, or a prestress deforms it
+/// @throws deck::DeckError, pointing at the model that asks for the highest modes, where nothing holds the assembly or
+/// it
+///         does not have these modes, and pointing at a prestress that deforms a body
 [[nodiscard]] std::vector<modal_bodies::ModalBasis> common_bases(const scene::Solids& solids,
                                                                  const std::vector<std::size_t>& bodies,
                                                                  const std::vector<mesh::Mesh>& meshes,
