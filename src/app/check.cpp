@@ -163,6 +163,9 @@ int check(const CheckOptions& options) {
       bodies::prepare_with_meshes(bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD), MPI_COMM_WORLD,
                                   options.prediction.ranks ? bodies::ReadRows::keep : bodies::ReadRows::drop);
   const bodies::Preparation& ready = prepared.ready;
+  if (options.prediction.ranks) {
+    advice::require_fitting_processes(prepared, *options.prediction.ranks, MPI_COMM_WORLD);
+  }
   const double preparation = parallel::largest(advice::processor_clock() - begun, MPI_COMM_WORLD);
   const advice::StepMeasurement measured = advice::measure_steps(ready, program, MPI_COMM_WORLD);
   std::optional<advice::RankPrediction> prediction;  // before the rehearsal, which needs memory of its own

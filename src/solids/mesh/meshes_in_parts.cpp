@@ -1,10 +1,7 @@
 #include "idiophone/solids/mesh/meshes_in_parts.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <numeric>
-#include <stdexcept>
 #include <utility>
 
 #include "checks.hpp"
@@ -115,10 +112,6 @@ void for_each_part_in_rows(std::span<const scene::Body> bodies, const std::vecto
                            const Offsets& offsets, std::vector<ElementRows>& rows,
                            std::span<const std::vector<Index>> coupled, int ranks,
                            const std::function<void(const Part&)>& visit, MPI_Comm communicator) {
-  if (const int processes = parallel::size_of(communicator); ranks < processes) {
-    throw std::runtime_error(
-        fmt::format("{} processes are too many for the parts of {} ranks: use at most {}", processes, ranks, ranks));
-  }
   PartReader(bodies, outlines, offsets, rows, coupled, communicator).for_each_part(ranks, visit);
 }
 

@@ -1,5 +1,6 @@
 #include "idiophone/study/advice/rank_prediction.hpp"
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -40,10 +41,8 @@ void for_each_part(bodies::PreparedMeshes& prepared, int ranks, const std::funct
   if (!prepared.rows.empty()) {
     mesh::for_each_part_in_rows(ready.scene.bodies, prepared.meshes, ready.offsets, prepared.rows, coupled, ranks,
                                 visit, communicator);
-  } else if (parallel::size_of(communicator) == 1) {
-    mesh::for_each_part(prepared.meshes, ranks, visit, coupled);
   } else {
-    throw std::runtime_error("check --ranks needs one process where meshes are read whole: start it without mpirun");
+    mesh::for_each_part(prepared.meshes, ranks, visit, coupled);
   }
 }
 
@@ -102,6 +101,19 @@ mesh::PartSize largest(const mesh::PartSize& own, MPI_Comm communicator) {
 }
 
 }  // namespace
+
+void require_fitting_processes(const bodies::PreparedMeshes& prepared, int ranks, MPI_Comm communicator) {
+  const int processes = parallel::size_of(communicator);
+  if (prepared.rows.empty() && processes > 1) {
+    throw std::runtime_error(
+        "check --ranks needs one process where meshes are read whole: start it without mpirun. Meshes are read in "
+        "parts from 4 million elements of .h5 files on");
+  }
+  if (ranks < processes) {
+    throw std::runtime_error(
+        fmt::format("{} processes are too many for the parts of {} ranks: use at most {}", processes, ranks, ranks));
+  }
+}
 
 RankPrediction predict_ranks(bodies::PreparedMeshes& prepared, int ranks, const StepMeasurement& measured,
                              const Network& network, MPI_Comm communicator) {

@@ -69,8 +69,8 @@ struct ReadPart {
 /// files, and without checks. Each process visits some, one after another: process 0 the first ones. Collective.
 /// @param outlines  on rank 0
 /// @param rows      [bodies] as read_shares() gives them; they are used up
-/// @param ranks     that share the bodies
-/// @throws as read_part(); std::runtime_error, on every process, where there are fewer ranks than processes
+/// @param ranks     that share the bodies, at least as many as processes
+/// @throws as read_part(), but not for unfit elements
 void for_each_part_in_rows(std::span<const scene::Body> bodies, const std::vector<Mesh>& outlines,
                            const Offsets& offsets, std::vector<ElementRows>& rows,
                            std::span<const std::vector<Index>> coupled, int ranks,

@@ -28,14 +28,19 @@ struct RankPrediction {
   std::optional<WavePrediction> waves;  ///< none: another radiation model
 };
 
+/// What predict_ranks() needs, before steps are measured.
+/// @throws std::runtime_error, on every process, where there are fewer ranks than processes, or several processes have
+///         read the meshes whole
+void require_fitting_processes(const bodies::PreparedMeshes& prepared, int ranks, MPI_Comm communicator);
+
 /// Cuts the bodies into parts as a run would: by METIS on one process, or along the curve where each process has read
 /// its part of the meshes. The elements' time is divided like their work, all else like the nodes. Messages travel
 /// while elements that need no ghost are computed, except before the surface is read; states do so alone. Contact and
 /// waves are not counted. Collective.
 /// @param prepared  with rows where the meshes were read in parts; they are used up
 /// @param measured  of this process's part
-/// @throws std::runtime_error when there are more ranks than elements can fill, or fewer than processes; or where
-///         several processes have read the meshes whole
+/// @param ranks     that require_fitting_processes() accepts
+/// @throws std::runtime_error when there are more ranks than elements can fill
 [[nodiscard]] RankPrediction predict_ranks(bodies::PreparedMeshes& prepared, int ranks, const StepMeasurement& measured,
                                            const Network& network, MPI_Comm communicator);
 
