@@ -121,6 +121,19 @@ TEST(Owners, BodiesOfCommonModesStayTogether) {
   }
 }
 
+TEST(Owners, TooManyRanksForBodiesOfCommonModes) {
+  std::vector<Mesh> meshes(2, read_mesh(shipped("bar.geo", element::tet4)));
+  meshes[0].indivisible = meshes[1].indivisible = true;
+  meshes[1].beside = 0;
+  try {
+    static_cast<void>(node_owners(meshes, 2));
+    FAIL();
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(),
+                ::testing::HasSubstr("joined ones with large amplitudes lie all on one: run on at most 1"));
+  }
+}
+
 TEST(Owners, BodiesAreBesideEarlierOnes) {
   std::vector<Mesh> meshes(2, read_mesh(shipped("bar.geo", element::tet4)));
   meshes[0].indivisible = meshes[1].indivisible = true;
