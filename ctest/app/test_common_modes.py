@@ -2,8 +2,6 @@
 """Joined bodies with large amplitudes, which have the modes of their assembly in common: whole runs, check and map."""
 import unittest
 
-import numpy
-
 import program
 
 ELEMENTS = tuple(word for body in ("left", "right") for word in ("--set", f"bodies.{body}.model={{type: finite_elements}}"))
