@@ -128,7 +128,7 @@ StretchingOrder stretching_order(std::span<const double> quadratic, std::size_t 
   std::vector<std::size_t> used = numbers_below(pairs.size());
   std::erase_if(used, [&](std::size_t pair) { return !of_pairs[pair].any(); });
   std::ranges::stable_sort(used, [&](std::size_t a, std::size_t b) { return of_pairs[a].is_before(of_pairs[b]); });
-  std::ranges::transform(chain(of_pairs, std::move(used), block.pairs), std::back_inserter(order.pairs),
+  std::ranges::transform(chain(of_pairs, used, block.pairs), std::back_inserter(order.pairs),
                          [&](std::size_t pair) { return pairs[pair]; });
   return order;
 }

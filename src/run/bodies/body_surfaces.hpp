@@ -10,6 +10,7 @@
 #include "idiophone/air/propagation/audible_surface.hpp"
 #include "idiophone/air/surface/accelerated_surface.hpp"
 #include "idiophone/air/surface/surface.hpp"
+#include "idiophone/run/bodies/preparation.hpp"
 #include "idiophone/solids/motion/motion.hpp"
 #include "modal_surface.hpp"
 
