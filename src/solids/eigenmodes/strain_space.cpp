@@ -22,7 +22,7 @@ Eigen::Index points_of(const mesh::BodyPart& body) {
 Eigen::MatrixXd at_nodes(const Eigen::Ref<const Eigen::MatrixXd>& fields, std::span<const Index> nodes) {
   Eigen::MatrixXd values(3 * fields.cols(), std::ssize(nodes));
   for (Eigen::Index a = 0; a < values.cols(); ++a) {
-    const Eigen::Index first = 3 * nodes[static_cast<std::size_t>(a)];
+    const Eigen::Index first = Eigen::Index{3} * nodes[static_cast<std::size_t>(a)];
     values.col(a) = fields.middleRows<3>(first).reshaped();
   }
   return values;
@@ -153,8 +153,7 @@ Eigen::MatrixXd StrainSpace::quadratic(const Eigen::Ref<const Eigen::MatrixXd>& 
       fields, [](const Eigen::Matrix3d& gradient) -> Eigen::Matrix3d { return gradient.transpose() * gradient / 2; });
 }
 
-Eigen::MatrixXd StrainSpace::stresses_of(const Eigen::Ref<const Eigen::MatrixXd>& strains,
-                                         const Element& element) const {
+Eigen::MatrixXd StrainSpace::stresses_of(const Eigen::Ref<const Eigen::MatrixXd>& strains, const Element& element) {
   Eigen::MatrixXd stresses(6 * element.points(), strains.cols());
   for (Eigen::Index p = 0; p < element.points(); ++p) {
     stresses.middleRows<6>(6 * p) =
@@ -178,7 +177,7 @@ Eigen::MatrixXd StrainSpace::forces(const Eigen::Ref<const Eigen::MatrixXd>& str
     }
     const Eigen::MatrixXd nodal = stresses * element.slopes.transpose();
     for (Eigen::Index a = 0; a < nodal.cols(); ++a) {
-      result.middleRows<3>(3 * element.nodes[static_cast<std::size_t>(a)]).reshaped() += nodal.col(a);
+      result.middleRows<3>(Eigen::Index{3} * element.nodes[static_cast<std::size_t>(a)]).reshaped() += nodal.col(a);
     }
   });
   Eigen::Index first = 6 * points_;

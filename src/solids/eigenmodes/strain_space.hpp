@@ -65,8 +65,9 @@ class StrainSpace {
     [[nodiscard]] Eigen::Index points() const { return volumes.size(); }
   };
   void for_each_element(const std::function<void(const Element& element)>& visit) const;
-  /// @param first  number of the body's first point
-  void for_each_element(std::size_t body, Eigen::Index first,
+  /// @param number  of the body
+  /// @param first   number of its first point
+  void for_each_element(std::size_t number, Eigen::Index first,
                         const std::function<void(const Element& element)>& visit) const;
 
   /// Strains of fields, which `strain_of` finds from a field's gradient.
@@ -75,8 +76,8 @@ class StrainSpace {
                                         const StrainOf& strain_of) const;
 
   /// v sigma of the parts of strains that an element has, J. [6 x points, strains]
-  [[nodiscard]] Eigen::MatrixXd stresses_of(const Eigen::Ref<const Eigen::MatrixXd>& strains,
-                                            const Element& element) const;
+  [[nodiscard]] static Eigen::MatrixXd stresses_of(const Eigen::Ref<const Eigen::MatrixXd>& strains,
+                                                   const Element& element);
 
   const mesh::Part& part_;
   std::vector<std::vector<Matrix6>> roots_;  ///< [bodies][regions] L
