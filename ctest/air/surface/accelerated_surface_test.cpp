@@ -95,7 +95,7 @@ TEST_P(SamplingsOnAccelerator, EmitsWhatTheProcessorDoesAlsoInTurns) {
   const std::vector<double> velocities(3 * vertices, 2.0);
   expected.start(velocities);
   state.start(velocities);
-  AcceleratedSurface there(*accelerator, state);
+  AcceleratedSurface there(*accelerator, triangles, state);
   there.load();
   for (int sample = 0; sample < 20; ++sample) {
     advance(expected, of_processor, sample);
@@ -123,7 +123,7 @@ INSTANTIATE_TEST_SUITE_P(Reads, SamplingsOnAccelerator,
 TEST_F(AcceleratedSurfaceTest, IsTakenAfterAllReadsOfAnAudioSample) {
   Surface surface(triangles, reference, {});
   surface.start();
-  AcceleratedSurface there(*accelerator, surface);
+  AcceleratedSurface there(*accelerator, triangles, surface);
   SurfaceMotion motion;
   EXPECT_THROW(there.take(motion), std::logic_error);
 }

@@ -1,9 +1,16 @@
 #pragma once
 // Bodies that joints tie together, for tests of modes.
 
+#include <algorithm>
+#include <memory>
+#include <vector>
+
 #include "idiophone/scene/scene.hpp"
 #include "idiophone/solids/eigenmodes/eigenmodes.hpp"
 #include "idiophone/solids/joints/meshed_joint.hpp"
+#include "idiophone/solids/motion/body_model.hpp"
+#include "idiophone/solids/motion/dynamics.hpp"
+#include "idiophone/solids/motion/stable_step.hpp"
 
 namespace idiophone::eigenmodes {
 
@@ -43,5 +50,23 @@ struct Assembly {
   std::vector<mesh::Mesh> meshes;
   scene::Scene scene;
 };
+
+/// The step of the bodies that is stable, s: of their models, or of the finite elements of those without one.
+/// @param models  also of bodies that have modes in common, whose models know each other
+[[nodiscard]] inline double stable_step(const Assembly& bodies, const mesh::Part& part,
+                                        const motion::Attachments& attachments, const motion::ModelMaker& models) {
+  const motion::FiniteElementDynamics elements(bodies.scene, part, attachments);
+  const motion::Supports supports = motion::supports_of(part, elements);
+  std::vector<std::unique_ptr<motion::BodyModel>> made;
+  for (std::size_t body = 0; body < bodies.meshes.size(); ++body) {
+    made.push_back(models(part, body));
+  }
+  double step = 1.0;
+  for (std::size_t body = 0; body < made.size(); ++body) {
+    const motion::BodyModel& model = made[body] ? *made[body] : elements.model(body);
+    step = std::min(step, model.stable_step(supports, {}).step);
+  }
+  return step;
+}
 
 }  // namespace idiophone::eigenmodes

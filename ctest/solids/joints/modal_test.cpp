@@ -302,16 +302,7 @@ struct PushedBar {
   }
 
   /// s
-  [[nodiscard]] double stable_step() const {
-    const motion::FiniteElementDynamics elements(bar.scene, part, attachments);
-    const motion::Supports supports = motion::supports_of(part, elements);
-    double step = 1.0;
-    for (std::size_t body = 0; body < bar.scene.bodies.size(); ++body) {
-      const auto model = models(part, body);
-      step = std::min(step, (model ? *model : elements.model(body)).stable_step(supports, {}).step);
-    }
-    return step;
-  }
+  [[nodiscard]] double stable_step() const { return eigenmodes::stable_step(bar, part, attachments, models); }
 
   /// @param step  s
   void begin(double step) {

@@ -13,19 +13,6 @@ namespace idiophone::surface {
 
 namespace {
 
-/// Places of the triangles' corners among the vertices, [3 x triangles].
-/// @param places  see corner_places()
-std::vector<Index> by_triangles(const std::vector<Index>& places, std::size_t triangles) {
-  std::vector<Index> corners;
-  for (std::size_t triangle = 0; triangle < triangles; ++triangle) {
-    const std::size_t lane = triangle % lane_count;
-    for (std::size_t corner = 0; corner < 3; ++corner) {
-      corners.push_back(places[3 * (triangle - lane) + corner * lane_count + lane] / 3);
-    }
-  }
-  return corners;
-}
-
 /// Places in the ring of reads are 32-bit numbers.
 Surface& countable(Surface& surface, std::size_t slots) {
   if (3 * slots * surface.vertices() > std::numeric_limits<int>::max()) {
@@ -70,7 +57,8 @@ void AcceleratedSurface::Filter::save(LowPass& low_pass) const {
   for_each_sum(low_pass, signals, [&](std::size_t place, double& sum) { sum = values[place]; });
 }
 
-AcceleratedSurface::AcceleratedSurface(accelerator::Accelerator& accelerator, Surface& surface)
+AcceleratedSurface::AcceleratedSurface(accelerator::Accelerator& accelerator,
+                                       const std::vector<std::array<Index, 3>>& triangles, Surface& surface)
     : surface_(countable(surface, slots)),
       triangles_(static_cast<int>(surface.triangles())),
       values_(static_cast<int>(3 * surface.vertices())),
@@ -78,7 +66,7 @@ AcceleratedSurface::AcceleratedSurface(accelerator::Accelerator& accelerator, Su
       copy_displacements_(program_, "copy_displacements"),
       filter_displacements_(program_, "filter_displacements"),
       filter_pressures_(program_, "filter_pressures"),
-      corners_(accelerator, by_triangles(surface.corners_, surface.triangles())),
+      corners_(accelerator, triangles),
       reference_(accelerator, std::span(surface.reference_).first(values_)),
       ring_(accelerator, static_cast<std::size_t>(slots) * values_),
       pressure_(accelerator, surface.pressure_, surface.triangles()),

@@ -168,8 +168,8 @@ void BodySurfaces::accelerate(accelerator::Accelerator& accelerator, const motio
   if (triangles_.empty()) {
     return;
   }
-  accelerated_.emplace(accelerator, finite_elements_);
   const mesh::Part& part = ready_.part;
+  accelerated_.emplace(accelerator, renumbered(triangles_, vertices_, part), finite_elements_);
   for (std::size_t body = 0; body < part.bodies.size(); ++body) {
     const std::vector<std::size_t> vertices = vertices_of(triangles_of(body, part), part);
     const accelerated::AcceleratedSolid* const solid = motion.dynamics().model(body).on_accelerator();

@@ -50,11 +50,11 @@ struct LoadedNodes {
 
 LoadedNodes of_assembly(std::span<const std::vector<Index>> loaded, const std::vector<mesh::Mesh>& meshes) {
   LoadedNodes all;
-  Index first = 0;
+  const std::vector<Index> first = mesh::offsets(meshes).nodes;
   for (std::size_t body = 0; body < meshes.size(); ++body) {
-    std::ranges::transform(loaded[body], std::back_inserter(all.numbers), [&](Index node) { return first + node; });
+    std::ranges::transform(loaded[body], std::back_inserter(all.numbers),
+                           [&](Index node) { return first[body] + node; });
     std::ranges::copy(normals_at(loaded[body], meshes[body]), std::back_inserter(all.normals));
-    first += static_cast<Index>(meshes[body].nodes.size());
   }
   return all;
 }

@@ -1,6 +1,7 @@
 #pragma once
 // A surface whose vertices are moved by an accelerator: reads and low-pass are computed there.
 
+#include <array>
 #include <vector>
 
 #include "idiophone/air/surface/surface.hpp"
@@ -13,11 +14,12 @@ namespace idiophone::surface {
 class AcceleratedSurface {
  public:
   /// @param accelerator  must outlive this object, as must the surface
+  /// @param triangles    of the surface, as it was given them
   /// @param surface      begins or is restored between two audio samples; load() then takes its state
   /// @throws std::runtime_error if the surface does not fit into the memory of the accelerator, or has more vertices
-  /// than
-  ///         its kernels can count
-  AcceleratedSurface(accelerator::Accelerator& accelerator, Surface& surface);
+  ///         than its kernels can count
+  AcceleratedSurface(accelerator::Accelerator& accelerator, const std::vector<std::array<Index, 3>>& triangles,
+                     Surface& surface);
 
   /// Goes on from the state of the surface.
   void load();
@@ -61,7 +63,7 @@ class AcceleratedSurface {
   int triangles_, values_;  ///< their number; 3 x vertices
   accelerator::Program program_;
   accelerator::Kernel copy_displacements_, filter_displacements_, filter_pressures_;
-  accelerator::Array<Index> corners_;     ///< [3 x triangles]
+  accelerator::Array<std::array<Index, 3>> corners_;
   accelerator::Array<double> reference_;  ///< [values] m
   accelerator::Array<double> ring_;       ///< [slots][values] displacements at the ends of reads, m
   Filter pressure_, displacement_;
