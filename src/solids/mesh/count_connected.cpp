@@ -14,7 +14,7 @@ namespace idiophone::mesh {
 
 namespace {
 
-/// A node, and the number of the part that it lies in on one rank.
+/// A node, and the number of the part that it lies in on one process.
 using Membership = std::array<Index, 2>;
 
 /// What a process says of its ghosts to their owners.
@@ -46,7 +46,7 @@ Index count_connected(const GmshMesh& loaded, Index first_node, const NodeDivisi
   const auto counts = parallel::gather(parts.empty() ? 0 : std::ranges::max(parts) + 1, communicator);
   const Index before = std::accumulate(counts.begin(), counts.begin() + parallel::rank_of(communicator), Index{0});
   std::ranges::for_each(parts, [&](Index& part) { part += before; });
-  std::vector<Membership> joined;  // parts of two ranks
+  std::vector<Membership> joined;  // parts of two processes
   for (const auto& [node, part] : told_of_ghosts(loaded, parts, first_node, division, communicator)) {
     const auto place = std::ranges::lower_bound(loaded.node_tags, static_cast<std::size_t>(node));
     joined.push_back({part, parts[place - loaded.node_tags.begin()]});

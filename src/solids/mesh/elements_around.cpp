@@ -26,7 +26,7 @@ std::vector<Index> region_begins(const std::vector<Index>& counts) {
   return begins;
 }
 
-/// Of this rank's rows, in the body. Collective.
+/// Of this process's rows, in the body. Collective.
 std::vector<Index> numbers_of(const ElementRows& rows, std::size_t elements, MPI_Comm communicator) {
   std::vector<Index> numbers(elements);
   if (rows.region_counts.empty()) {
@@ -37,7 +37,7 @@ std::vector<Index> numbers_of(const ElementRows& rows, std::size_t elements, MPI
   std::ranges::for_each(rows.regions, [&](Index region) { ++own[region]; });
   const auto counts = parallel::gather_all<Index>(own, communicator);
   std::vector<Index> next = region_begins(rows.region_counts);
-  for (int i = 0; i < counts.offsets[parallel::rank_of(communicator)]; ++i) {  // of the ranks before
+  for (int i = 0; i < counts.offsets[parallel::rank_of(communicator)]; ++i) {  // of the processes before
     next[static_cast<std::size_t>(i) % own.size()] += counts.values[i];
   }
   std::ranges::transform(rows.regions, numbers.begin(), [&](Index region) { return next[region]++; });
@@ -60,7 +60,7 @@ CompressedRows takers_of(const ElementRows& rows, std::size_t width, Index first
 }
 
 /// Puts elements of several materials in order; others come in order.
-/// @param counts   [regions] over all ranks
+/// @param counts   [regions] over all processes
 /// @param numbers  [elements]
 void order_by_region(const std::vector<Index>& counts, std::vector<ElementNumbers>& numbers, Mesh& mesh) {
   const std::vector<Index> begins = region_begins(counts);
@@ -76,21 +76,21 @@ void order_by_region(const std::vector<Index>& counts, std::vector<ElementNumber
   std::ranges::sort(numbers, {}, &ElementNumbers::in_body);
 }
 
-/// Elements on their way to other ranks.
+/// Elements on their way to other processes.
 struct Parcel {
-  std::vector<int> counts;              ///< [ranks] elements for each
-  std::vector<ElementNumbers> numbers;  ///< [elements] rank by rank
+  std::vector<int> counts;              ///< [processes] elements for each
+  std::vector<ElementNumbers> numbers;  ///< [elements] process by process
   std::vector<Index> nodes;             ///< [nodes per element x elements] likewise, numbers in the body
 };
 
 /// Collective.
-/// @param takers  [ranks] places in the rows
+/// @param takers  [processes] places in the rows
 Parcel pack(const ElementRows& rows, std::size_t width, const CompressedRows& takers, MPI_Comm communicator) {
   const std::vector<Index> own = numbers_of(rows, rows.nodes.size() / width, communicator);
   Parcel parcel;
-  for (int rank = 0; rank < parallel::size_of(communicator); ++rank) {
-    parcel.counts.push_back(static_cast<int>(takers[rank].size()));
-    for (const Index place : takers[rank]) {
+  for (int process = 0; process < parallel::size_of(communicator); ++process) {
+    parcel.counts.push_back(static_cast<int>(takers[process].size()));
+    for (const Index place : takers[process]) {
       parcel.numbers.push_back({own[place], rows.begin + place});
       std::ranges::copy(std::span(rows.nodes).subspan(static_cast<std::size_t>(place) * width, width),
                         std::back_inserter(parcel.nodes));
@@ -99,7 +99,7 @@ Parcel pack(const ElementRows& rows, std::size_t width, const CompressedRows& ta
   return parcel;
 }
 
-/// What this rank takes of all ranks' parcels. Collective.
+/// What this process takes of all parcels. Collective.
 /// @param region_counts  as ElementRows has them
 Neighbourhood take(const Parcel& parcel, const scene::Body& body, const std::vector<Index>& region_counts,
                    MPI_Comm communicator) {

@@ -1,5 +1,5 @@
 #pragma once
-// What one rank needs of a body's mesh: the elements around its nodes, with all nodes of these.
+// What one process needs of a body's mesh: the elements around its nodes, with all nodes of these.
 
 #include <mpi.h>
 
@@ -21,7 +21,7 @@ struct Neighbourhood {
 };
 
 /// Collective.
-/// @param rows        this rank's range, which it gives away
+/// @param rows        this process's range, which it gives away
 /// @param body        whose elements they are
 /// @param first_node  global number of the body's first node
 /// @param division    of the nodes, global
@@ -30,7 +30,7 @@ struct Neighbourhood {
                                             const NodeDivision& division, MPI_Comm communicator);
 
 /// Gives the outline on rank 0 the elements that have any of some nodes, in the order of the scene. Collective.
-/// @param rows     this rank's range
+/// @param rows     this process's range
 /// @param nodes    on rank 0: numbers in the body, ascending
 /// @param outline  of the body, on rank 0
 void give_root_elements(const ElementRows& rows, const scene::Body& body, std::vector<Index> nodes, Mesh& outline,
