@@ -4,12 +4,12 @@
 
 #include <mpi.h>
 
-#include <optional>
+#include <span>
 #include <vector>
 
+#include "finite_element_surfaces.hpp"
 #include "idiophone/air/propagation/audible_surface.hpp"
-#include "idiophone/air/surface/accelerated_surface.hpp"
-#include "idiophone/air/surface/surface.hpp"
+#include "idiophone/air/surface/surface_motion.hpp"
 #include "idiophone/run/bodies/preparation.hpp"
 #include "idiophone/solids/motion/motion.hpp"
 #include "modal_surface.hpp"
@@ -26,7 +26,9 @@ class BodySurfaces {
   [[nodiscard]] const surface::Sampling& sampling() const { return finite_elements_.sampling(); }
 
   /// From now on, an accelerator computes the surfaces of finite elements, as it does their motion.
-  void accelerate(accelerator::Accelerator& accelerator, const motion::Motion& motion);
+  void accelerate(accelerator::Accelerator& accelerator, const motion::Motion& motion) {
+    finite_elements_.accelerate(accelerator, motion);
+  }
 
   /// Begins at time 0. The surfaces are taken to have moved with their velocities for ever.
   void start(const motion::Motion& motion, surface::SurfaceMotion& result);
@@ -67,38 +69,12 @@ class BodySurfaces {
     }
   };
 
-  /// Neighbouring vertices of finite_elements_, of a body that an accelerator steps.
-  struct AcceleratedVertices {
-    std::size_t body;
-    std::size_t first;                ///< vertex
-    accelerator::Array<Index> nodes;  ///< of each, its place among the displacements of the body
-  };
-
-  /// A triangle of a fracture surface on this rank.
-  struct FractureTriangle {
-    std::size_t triangle;  ///< of finite_elements_
-    std::size_t fracture;  ///< place in Dynamics::fractures
-    std::size_t face;      ///< of the fracture's
-  };
-
-  void find_fracture_triangles();
-  void open_broken_faces(const motion::Motion& motion);
   void add_modal_body(std::size_t body, const modal_bodies::ModalBasis& basis);
-  void read_displacements(const motion::Motion& motion);
-  void put_finite_elements(surface::SurfaceMotion& result) const;
 
   const Preparation& ready_;
   MPI_Comm communicator_;
-  std::vector<std::size_t> triangles_;  ///< places of the finite elements' triangles in the rank's share
-  std::vector<std::size_t> vertices_;   ///< likewise
-  surface::Surface finite_elements_;
-  surface::SurfaceMotion finite_elements_motion_;
-  std::optional<surface::AcceleratedSurface> accelerated_;  ///< takes the place of finite_elements_
-  std::vector<AcceleratedVertices> accelerated_vertices_;
+  FiniteElementSurfaces finite_elements_;
   std::vector<ModalBody> modal_;
-  std::vector<FractureTriangle> fracture_triangles_;
-  parallel::Rows triangle_rows_;  ///< of the archive: triangles of finite elements
-  parallel::Rows vertex_rows_;    ///< likewise
 };
 
 }  // namespace idiophone::bodies

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
-#include <ranges>
 #include <utility>
 
 #include "idiophone/foundation/parallel/reproducible_sum.hpp"
@@ -114,8 +113,10 @@ void GaugeChannels::take_places(const Take& take) {
   for (std::span<const std::int64_t> words = sums; !words.empty();) {
     for (const Points& gauge : gauges_) {
       std::vector<Vector3> places(gauge.patches.size());
-      for (double& component : places | std::views::join) {
-        component = take_sum(words).value();
+      for (Vector3& place : places) {
+        for (double& component : place) {
+          component = take_sum(words).value();
+        }
       }
       take(std::move(places));
     }

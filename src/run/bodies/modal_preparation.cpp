@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ranges>
+#include <iterator>
 
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/each_once.hpp"
@@ -32,10 +32,10 @@ std::vector<Index> loaded_nodes(const Preparation& ready, std::size_t body) {
     }
   }
   for (const auto& triangles : attachments.winds) {
-    for (const Index node : std::views::join(triangles)) {
-      if (node >= ready.offsets.nodes[body] && node < ready.offsets.nodes[body + 1]) {
-        nodes.push_back(node);
-      }
+    for (const mesh::Triangle& triangle : triangles) {
+      std::ranges::copy_if(triangle, std::back_inserter(nodes), [&](Index node) {
+        return node >= ready.offsets.nodes[body] && node < ready.offsets.nodes[body + 1];
+      });
     }
   }
   std::ranges::for_each(attachments.bodies[body].supports, add);
