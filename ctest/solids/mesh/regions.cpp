@@ -13,7 +13,9 @@ namespace idiophone::mesh {
 namespace {
 
 using ::testing::AllOf;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::StartsWith;
 
 ON_RANKS(1);
@@ -96,6 +98,19 @@ TEST(MaterialRegions, MistakesAreAnswered) {
   const TemporaryFile without("box.geo", "SetFactory(\"OpenCASCADE\"); Box(1) = {0, 0, 0, 0.1, 0.1, 0.1};");
   EXPECT_THAT(refusal(with_groups(without, element::tet4, {"core"})),
               HasSubstr("it has none: define them by Physical Volume(\"core\") in gmsh"));
+}
+
+TEST(MaterialRegions, VolumesInNoGroupAreToldOf) {
+  const std::string boxes =
+      "SetFactory(\"OpenCASCADE\"); Box(1) = {0, 0, 0, 0.1, 0.1, 0.1}; Box(2) = {0.1, 0, 0, 0.1, 0.1, 0.1}; Coherence;";
+  const TemporaryFile one("one.geo", boxes + "Physical Volume(\"part\") = {1};");
+  const Mesh mesh = read_mesh(body_of(one.path(), element::tet4));
+  EXPECT_NEAR(enclosed_volume(mesh), 0.002, 1e-15);
+  EXPECT_THAT(mesh.notes, ElementsAre(HasSubstr("volumes in no physical group (1 of 2) belong to the body, too")));
+  for (const std::string groups : {"", "Physical Volume(\"part\") = {1, 2};"}) {
+    const TemporaryFile file("all.geo", boxes + groups);
+    EXPECT_THAT(read_mesh(body_of(file.path(), element::tet4)).notes, IsEmpty()) << groups;
+  }
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "groups.hpp"
 
+#include <fmt/format.h>
 #include <gmsh.h>
 
 #include <string>
@@ -73,6 +74,26 @@ std::vector<mesh::GroupBlock> groups(int of_body) {
     }
   }
   return blocks;
+}
+
+std::vector<std::string> note_on_ungrouped(int of_body) {
+  gmsh::vectorpair found;
+  gmsh::model::getEntities(found, of_body);
+  std::size_t with_elements = 0, ungrouped = 0;
+  for (const auto& [dimension, tag] : found) {
+    std::vector<int> types, physical;
+    gmsh::model::mesh::getElementTypes(types, dimension, tag);
+    gmsh::model::getPhysicalGroupsForEntity(dimension, tag, physical);
+    with_elements += types.empty() ? 0 : 1;
+    ungrouped += !types.empty() && physical.empty() ? 1 : 0;
+  }
+  if (ungrouped == 0 || ungrouped == with_elements) {
+    return {};
+  }
+  return {
+      fmt::format("{} in no physical group ({} of {}) belong to the body, too, though gmsh would not save them. "
+                  "Delete what is not part of the body",
+                  of_body == 3 ? "volumes" : "surfaces", ungrouped, with_elements)};
 }
 
 std::vector<mesh::GroupBlock> numbered_faces(int dimension) {

@@ -155,6 +155,7 @@ void answer_request(mesh::MeshingAnswer& answer, const mesh::MeshingRequest& req
     answer.notes = generate(request);
   }
   bring_to_order(request);
+  std::ranges::copy(note_on_ungrouped(request.dimension), std::back_inserter(answer.notes));
   std::vector<std::size_t> tags;
   std::vector<double> parametric;
   gmsh::model::mesh::getNodes(tags, answer.coordinates, parametric);
