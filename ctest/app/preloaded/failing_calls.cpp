@@ -3,22 +3,30 @@
 // - FAILING_RANK: the rank; 0 if omitted.
 // - FAILING_FOLDER: calls that change files below this folder count; with FAILING_NAME only those whose path has it.
 // - FAILING_BYTES: allocations of at least so many bytes count.
-// - FAILING_CALL: which of them fails, from 1; 0 for none: their number is told at the end.
+// - FAILING_CALL: which of them fails, from 1; 0 for none: the end tells how many there are, and which of them are the
+//   first from their place: the program's own calls that lead to it.
 // - FAILING_LASTING: "1" if all later ones fail as well.
 
+#include <execinfo.h>
 #include <fcntl.h>
+#include <link.h>
 #include <mpi.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <climits>
 #include <cstdarg>
+#include <cstddef>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <mutex>
+#include <span>
 
 #include <dlfcn.h>
 
@@ -44,8 +52,69 @@ long number(const char* name, long otherwise) {
   return text != nullptr ? std::atol(text) : otherwise;
 }
 
+constexpr std::size_t most_places = 10000;
+std::mutex places_mutex;
+std::array<std::size_t, most_places> places;  // hashes of stacks
+std::array<long, most_places> first_calls;    // of each place
+std::size_t place_count = 0;
+thread_local bool looks_at_stack = false;  // may allocate
+
+struct Code {
+  std::uintptr_t begin = 0, end = 0;
+};
+
+/// Where the program itself is in memory, without its libraries.
+Code code_of_program() {
+  Code code;
+  dl_iterate_phdr(
+      [](dl_phdr_info* object, std::size_t, void* result) {  // the first object is the program
+        for (const ElfW(Phdr) & part : std::span(object->dlpi_phdr, object->dlpi_phnum)) {
+          if (part.p_type == PT_LOAD && (part.p_flags & PF_X) != 0) {
+            const std::uintptr_t begin = object->dlpi_addr + part.p_vaddr;
+            *static_cast<Code*>(result) = {begin, begin + part.p_memsz};
+          }
+        }
+        return 1;
+      },
+      &code);
+  return code;
+}
+
+/// Where a call comes from: the program's own calls that lead to it.
+std::size_t present_place() {
+  static const Code code = code_of_program();
+  std::array<void*, 100> stack;
+  const int depth = backtrace(stack.data(), static_cast<int>(stack.size()));
+  std::size_t place = 0;
+  for (void* const call : std::span(stack.data(), static_cast<std::size_t>(depth))) {
+    const auto address = reinterpret_cast<std::uintptr_t>(call);
+    if (address >= code.begin && address < code.end) {
+      place = 31 * place + address;
+    }
+  }
+  return place;
+}
+
+void note_place(long call) {
+  looks_at_stack = true;
+  const std::size_t place = present_place();
+  const std::lock_guard lock(places_mutex);
+  const auto end = places.begin() + static_cast<std::ptrdiff_t>(place_count);
+  if (std::find(places.begin(), end, place) == end && place_count < most_places) {
+    places[place_count] = place;
+    first_calls[place_count++] = call;
+  }
+  looks_at_stack = false;
+}
+
 bool fails() {
+  if (looks_at_stack) {
+    return false;
+  }
   const long call = ++calls;
+  if (failing == 0) {
+    note_place(call);
+  }
   return failing > 0 && (call == failing || (lasting && call > failing));
 }
 
@@ -158,6 +227,8 @@ extern "C" int MPI_Init(int* count, char*** arguments) {
   least_bytes = static_cast<std::size_t>(number("FAILING_BYTES", LONG_MAX));
   failing = number("FAILING_CALL", 0);
   lasting = number("FAILING_LASTING", 0) != 0;
+  note_place(0);  // the first look at a stack loads a library
+  place_count = 0;
   armed = rank == number("FAILING_RANK", 0);
   return status;
 }
@@ -165,7 +236,11 @@ extern "C" int MPI_Init(int* count, char*** arguments) {
 extern "C" int MPI_Finalize() {
   if (armed && failing == 0) {
     armed = false;
-    std::printf("%ld calls can fail\n", calls.load());
+    std::printf("%ld calls can fail; the first from their places:", calls.load());
+    for (std::size_t place = 0; place < place_count; ++place) {
+      std::printf(" %ld", first_calls[place]);
+    }
+    std::printf("\n");
     std::fflush(stdout);
   }
   return PMPI_Finalize();
