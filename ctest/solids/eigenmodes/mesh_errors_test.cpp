@@ -7,9 +7,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "idiophone/solids/eigenmodes/spread_mesh_errors.hpp"
 #include "long_verification.hpp"
 #include "mapped_block.hpp"
 #include "ranks.hpp"
+#include "refined_problem.hpp"
+#include "refined_values.hpp"
 #include "samples.hpp"
 
 namespace idiophone::eigenmodes {
@@ -158,6 +161,44 @@ TEST(MeshErrors, StoppedByAWatchTheyAreThoseOfTheLowestModes) {
       EXPECT_EQ(some[mode], all[mode]) << mode;
     } else {
       EXPECT_TRUE(std::isnan(some[mode])) << mode;
+    }
+  }
+}
+
+TEST(MeshErrors, SomeModesGainAsMuchAsWithAllBelowThem) {
+  VibratingBody body = bar();
+  const Modes modes = body.find({.count = 12}, MPI_COMM_SELF);
+  std::vector<std::vector<double>> shapes;
+  std::ranges::transform(modes.modes, std::back_inserter(shapes), &Mode::shape);
+  const RefinedProblem problem(body.scene, {body.mesh}, MassMatrix::lumped, shapes.front());
+  const std::vector<std::size_t> numbers = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11};
+  const std::vector<std::size_t> chosen = {2, 7, 11};
+  const std::vector<RefinedValue> all = refined_values(problem, shapes, numbers, {});
+  const std::vector<RefinedValue> some = refined_values(problem, shapes, chosen, {});
+  ASSERT_EQ(some.size(), chosen.size());
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    const RefinedValue& expected = all[chosen[i]];
+    const double gained = expected.interpolated - expected.improved;
+    EXPECT_NEAR(some[i].interpolated - some[i].improved, gained, 0.15 * gained) << chosen[i];
+  }
+}
+
+/// Twice as many modes as a quick estimate has.
+TEST(MeshErrors, SpreadOverTheModesTheyAreThoseOfAll) {
+  LONG_VERIFICATION();
+  VibratingBody cube = block(element::hex(4, 4), {1, 0.9, 0.8}, {3, 3, 3});
+  const Modes modes = cube.find({.count = 70, .mass = MassMatrix::consistent}, MPI_COMM_SELF);
+  std::vector<std::vector<double>> shapes;
+  std::ranges::transform(modes.modes, std::back_inserter(shapes), &Mode::shape);
+  const std::vector<double> all = mesh_errors(cube.scene, {cube.mesh}, MassMatrix::consistent, shapes);
+  const std::vector<double> some = spread_mesh_errors(cube.scene, {cube.mesh}, MassMatrix::consistent, shapes);
+  ASSERT_EQ(some.size(), all.size());
+  EXPECT_FALSE(std::isnan(some.front()));
+  EXPECT_FALSE(std::isnan(some.back()));
+  EXPECT_GT(std::ranges::count_if(some, [](double error) { return std::isnan(error); }), 20);
+  for (std::size_t mode = 0; mode < all.size(); ++mode) {
+    if (!std::isnan(some[mode])) {
+      EXPECT_NEAR(some[mode], all[mode], 0.25 * all[mode] + 0.01) << mode;
     }
   }
 }

@@ -360,7 +360,9 @@ TEST(Identify, RefusesWhatDoesNotFit) {
                std::runtime_error);
   Measurements low;
   low.lines = {{.frequency = 100}};
-  EXPECT_THROW(static_cast<void>(identify(block_of(aluminium), low, {})), std::runtime_error);
+  const auto fit = [&] { static_cast<void>(identify(block_of(aluminium), low, {})); };
+  EXPECT_THAT(fit,
+              ::testing::ThrowsMessage<std::runtime_error>(::testing::HasSubstr("the mass in kg, and lines in Hz")));
 }
 
 }  // namespace

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <string_view>
 #include <utility>
 
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/element/type.hpp"
+#include "idiophone/solids/eigenmodes/spread_mesh_errors.hpp"
 #include "idiophone/solids/joints/held_parts.hpp"
 #include "idiophone/solids/solid/inverted_element.hpp"
 #include "refined_problem.hpp"
@@ -66,25 +68,67 @@ std::size_t quick_modes(const scene::Solids& solids, const std::vector<mesh::Mes
   return static_cast<std::size_t>(most_entries / entries);
 }
 
+std::vector<std::size_t> first_numbers(std::size_t count) {
+  std::vector<std::size_t> numbers(count);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+/// The lowest and the highest mode, and others between them, so many or all.
+std::vector<std::size_t> spread_numbers(std::size_t modes, std::size_t count) {
+  std::vector<std::size_t> numbers = first_numbers(std::min(modes, count));
+  const std::size_t gaps = std::max<std::size_t>(1, numbers.size()) - 1;
+  for (std::size_t& number : numbers) {
+    number = gaps == 0 ? number : number * (modes - 1) / gaps;
+  }
+  return numbers;
+}
+
+/// @return [chosen] as mesh_errors()
+std::vector<double> errors_of(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes, MassMatrix mass,
+                              std::span<const std::vector<double>> shapes, const std::vector<std::size_t>& chosen,
+                              const PartWatch& watch) {
+  if (chosen.empty()) {
+    return {};
+  }
+  const RefinedProblem problem(solids, meshes, mass, shapes.front());
+  const std::vector<RefinedValue> values = refined_values(problem, shapes, chosen, watch);
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const auto [interpolated, improved] = values[i];
+    errors.push_back(extrapolated(meshes.front().element, cents(problem.given_value(shapes[chosen[i]]), improved),
+                                  cents(interpolated, improved)));
+  }
+  return errors;
+}
+
 constexpr std::string_view turns_inside_out = "a strongly curved element turns inside out where it is divided";
 constexpr std::string_view avoided_by = "A finer mesh avoids that";
+
+/// @param chosen  the modes whose errors are estimated, ascending
+MeshErrors estimates_of(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes, MassMatrix mass,
+                        std::span<const std::vector<double>> shapes, const std::vector<std::size_t>& chosen,
+                        const PartWatch& watch) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  try {
+    const std::vector<double> of_chosen = errors_of(solids, meshes, mass, shapes, chosen, watch);
+    std::vector<double> errors(of_chosen.empty() ? 0 : shapes.size(), unknown);
+    for (std::size_t i = 0; i < of_chosen.size(); ++i) {
+      errors[chosen[i]] = of_chosen[i];
+    }
+    return {std::move(errors), {}};
+  } catch (const solid::InvertedElement&) {
+    return {std::vector<double>(shapes.size(), unknown), fmt::format("{}. {}", turns_inside_out, avoided_by)};
+  } catch (const deck::DeckError& error) {  // of the refined bodies: an estimate must not cost the modes
+    return {std::vector<double>(shapes.size(), unknown), fmt::format("on the refined elements, {}", error.what())};
+  }
+}
 
 }  // namespace
 
 std::vector<double> mesh_errors(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes, MassMatrix mass,
                                 std::span<const std::vector<double>> shapes, const PartWatch& watch) {
-  if (shapes.empty()) {
-    return {};
-  }
-  const RefinedProblem problem(solids, meshes, mass, shapes.front());
-  const std::vector<RefinedValue> values = refined_values(problem, shapes, watch);
-  std::vector<double> errors;
-  for (std::size_t mode = 0; mode < values.size(); ++mode) {
-    const auto [interpolated, improved] = values[mode];
-    errors.push_back(extrapolated(meshes.front().element, cents(problem.given_value(shapes[mode]), improved),
-                                  cents(interpolated, improved)));
-  }
-  return errors;
+  return errors_of(solids, meshes, mass, shapes, first_numbers(shapes.size()), watch);
 }
 
 MeshErrors mesh_errors(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes, MassMatrix mass,
@@ -94,18 +138,14 @@ MeshErrors mesh_errors(const scene::Solids& solids, const std::vector<mesh::Mesh
   }
   const std::size_t count =
       wanted == Estimates::all ? shapes.size() : std::min(shapes.size(), quick_modes(solids, meshes));
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-  try {
-    std::vector<double> errors = mesh_errors(solids, meshes, mass, shapes.first(count), watch);
-    if (!errors.empty()) {
-      errors.resize(shapes.size(), unknown);
-    }
-    return {std::move(errors), {}};
-  } catch (const solid::InvertedElement&) {
-    return {std::vector<double>(shapes.size(), unknown), fmt::format("{}. {}", turns_inside_out, avoided_by)};
-  } catch (const deck::DeckError& error) {  // of the refined bodies: an estimate must not cost the modes
-    return {std::vector<double>(shapes.size(), unknown), fmt::format("on the refined elements, {}", error.what())};
-  }
+  return estimates_of(solids, meshes, mass, shapes, first_numbers(count), watch);
+}
+
+std::vector<double> spread_mesh_errors(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
+                                       MassMatrix mass, std::span<const std::vector<double>> shapes) {
+  constexpr std::size_t fewest = 4;
+  const std::size_t count = std::max(fewest, quick_modes(solids, meshes));
+  return estimates_of(solids, meshes, mass, shapes, spread_numbers(shapes.size(), count), {}).cents;
 }
 
 std::string why_no_estimates(const scene::Solids& solids) {

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "idiophone/foundation/dense/dense.hpp"
 #include "idiophone/foundation/parallel/petsc.hpp"
@@ -139,6 +140,35 @@ Improvement improved(const RefinedProblem& problem, const Improvement& first, co
   return now;
 }
 
+/// Modes of the given mesh on the refined one, without what is known.
+/// @param numbers  of the modes
+Block interpolated(const RefinedProblem& problem, std::span<const std::vector<double>> shapes,
+                   std::span<const std::size_t> numbers, const Block& known) {
+  Matrix vectors(problem.size(), numbers.size());
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    problem.interpolate(shapes[numbers[i]], Column(vectors, static_cast<Eigen::Index>(i)));
+  }
+  deflate(vectors, known);
+  return {problem, std::move(vectors)};
+}
+
+/// The same space, spanned by K M-orthonormal vectors.
+Block orthonormal(const Block& space) {
+  const Eigen::Index count = space.vectors.cols();
+  return count == 0 ? space : space.combined(ritz(space, count).combinations);
+}
+
+/// The numbers below the last chosen one that are not chosen.
+std::vector<std::size_t> not_chosen(std::span<const std::size_t> chosen) {
+  std::vector<std::size_t> others;
+  for (std::size_t mode = 0; mode < chosen.back(); ++mode) {
+    if (!std::ranges::binary_search(chosen, mode)) {
+      others.push_back(mode);
+    }
+  }
+  return others;
+}
+
 /// Each motion's eigenvalue, and that of the improved mode that is most like it, of those that no other one got.
 /// @param motions  interpolated, as many as modes
 std::vector<RefinedValue> matched(const Block& motions, const Improvement& last) {
@@ -161,26 +191,22 @@ std::vector<RefinedValue> matched(const Block& motions, const Improvement& last)
 }  // namespace
 
 std::vector<RefinedValue> refined_values(const RefinedProblem& problem, std::span<const std::vector<double>> shapes,
-                                         const PartWatch& watch) {
+                                         std::span<const std::size_t> chosen, const PartWatch& watch) {
   constexpr std::size_t at_once = 12;
-  Block known(problem, problem.rigid_motions());
-  if (const Eigen::Index motions = known.vectors.cols(); motions > 0) {
-    known = known.combined(ritz(known, motions).combinations);
+  if (chosen.empty()) {
+    return {};
   }
+  Block known = orthonormal({problem, problem.rigid_motions()});
+  known.append(orthonormal(interpolated(problem, shapes, not_chosen(chosen), known)));
   std::vector<RefinedValue> all;
-  for (bool goes_on = true; goes_on && all.size() < shapes.size();) {
-    const auto chosen = shapes.subspan(all.size(), std::min(at_once, shapes.size() - all.size()));
-    Matrix vectors(problem.size(), chosen.size());
-    for (std::size_t i = 0; i < chosen.size(); ++i) {
-      problem.interpolate(chosen[i], Column(vectors, static_cast<Eigen::Index>(i)));
-    }
-    deflate(vectors, known);
-    const Block motions(problem, std::move(vectors));
+  for (bool goes_on = true; goes_on && all.size() < chosen.size();) {
+    const auto next = chosen.subspan(all.size(), std::min(at_once, chosen.size() - all.size()));
+    const Block motions = interpolated(problem, shapes, next, known);
     const Ritz first = ritz(motions, motions.vectors.cols());
     const Improvement last = improved(problem, {motions.combined(first.combinations), first.values}, known);
     std::ranges::copy(matched(motions, last), std::back_inserter(all));
     known.append(last.modes);
-    goes_on = !watch || watch(all.size(), shapes.size());
+    goes_on = !watch || watch(all.size(), chosen.size());
   }
   return all;
 }

@@ -64,14 +64,19 @@ class MaterialFit {
   };
 
   void search();
-  [[nodiscard]] std::vector<Start> begin();
+  [[nodiscard]] std::vector<Start> begin(const std::vector<TurnedMaterial>& materials);
+  [[nodiscard]] std::vector<Start> other_starts(const std::vector<Start>& starts);
+  [[nodiscard]] std::vector<TurnedMaterial> other_materials() const;
   void fit_from(const Start& start);
+  [[nodiscard]] double freedom() const;
+  [[nodiscard]] double chi_squared() const;
   [[nodiscard]] bool is_believable() const;
   [[nodiscard]] double cost() const;
   void take(MaterialFit other);
   [[nodiscard]] int starting_turns() const;
   [[nodiscard]] std::vector<TurnedMaterial> turned_starts() const;
-  [[nodiscard]] std::vector<Start> find_starts(const std::vector<Line>& lowest, StrainedBody& body);
+  [[nodiscard]] std::vector<Start> find_starts(const std::vector<TurnedMaterial>& materials,
+                                               const std::vector<Line>& lowest, StrainedBody& body);
   void solve_lowest(StrainedBody& body, const TurnedMaterial& material, std::size_t lines);
   void approach(const std::vector<Line>& lowest, StrainedBody& body, Start& start, double least);
   void keep(const Start& start);

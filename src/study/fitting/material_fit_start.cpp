@@ -26,15 +26,15 @@ std::vector<double> distances_around(bool may_cross) {
 }  // namespace
 
 /// From the lowest lines and modes, on a coarser mesh where that is possible, until the modes belong to about the
-/// constants that they give. Of several turns of the axes, those that fit best are tried. @return the best first
-std::vector<MaterialFit::Start> MaterialFit::begin() {
+/// constants that they give. Of several materials to begin with, those that fit best are tried. @return the best first
+std::vector<MaterialFit::Start> MaterialFit::begin(const std::vector<TurnedMaterial>& materials) {
   constexpr std::size_t most_tried = 10;
   const std::vector<Line> lowest(lines_.begin(), lines_.begin() + std::min(first_lines, lines_.size()));
   std::optional<StrainedBody> coarser = body_.coarser();
   StrainedBody& body = coarser ? *coarser : body_;
-  solve_lowest(body, material_, lowest.size());
-  std::vector<Start> starts = find_starts(lowest, body);
-  starts.resize(std::min(starts.size(), has_turns() ? most_tried : 1));
+  solve_lowest(body, materials.front(), lowest.size());
+  std::vector<Start> starts = find_starts(materials, lowest, body);
+  starts.resize(std::min(starts.size(), materials.size() > 1 ? most_tried : 1));
   double least = std::numeric_limits<double>::infinity();
   for (Start& start : starts) {
     try {
@@ -80,12 +80,13 @@ void MaterialFit::keep(const Start& start) {
 }
 
 /// Fits all moduli at once, by the likeliest common shifts of all frequencies, then more and more unknowns, from each
-/// of the turns to begin with. @return the best first
-std::vector<MaterialFit::Start> MaterialFit::find_starts(const std::vector<Line>& lowest, StrainedBody& body) {
+/// of the materials to begin with. @return the best first
+std::vector<MaterialFit::Start> MaterialFit::find_starts(const std::vector<TurnedMaterial>& materials,
+                                                         const std::vector<Line>& lowest, StrainedBody& body) {
   std::vector<Start> starts;
   double least = std::numeric_limits<double>::infinity();
-  for (const TurnedMaterial& turned : turned_starts()) {
-    if (!turned.turns.isZero(0.0)) {
+  for (const TurnedMaterial& turned : materials) {
+    if (distance(constants_, turned, modelled_) > 0) {
       solve_lowest(body, turned, lowest.size());
     }
     const FitProblem problem{lowest, *model_, constants_};
@@ -109,10 +110,15 @@ std::vector<MaterialFit::Start> MaterialFit::find_starts(const std::vector<Line>
     }
   }
   if (starts.empty()) {
+    const Eigen::VectorXd modes = model_->frequencies(modelled_);
     throw std::runtime_error(fmt::format(
-        "no line is within {:g} cents of a mode of the body, even if all are shifted: are shape, size, material and "
-        "constraints those of the measured body?",
-        judging));
+        "no line is within {:g} cents of a mode of the body, even if all are shifted by up to {:g} cents. The lines "
+        "lie from {:.4g} to {:.4g} Hz, and the lowest {} modes of the body from {:.4g} to {:.4g} Hz, with a density of "
+        "{:.4g} kg/m3. Are shape, size, material and constraints those of the measured body? Lengths are in m, the "
+        "mass in kg, and lines in Hz",
+        judging, largest_shift, lowest.front().frequency, lowest.back().frequency,
+        model_->multiplets().back().first + model_->multiplets().back().count, modes.minCoeff(), modes.maxCoeff(),
+        modelled_.density));
   }
   std::ranges::stable_sort(starts, {}, &Start::cost);
   return starts;

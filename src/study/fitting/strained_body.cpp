@@ -4,14 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
+#include "filled_errors.hpp"
 #include "idiophone/foundation/deck/location.hpp"
 #include "idiophone/foundation/dense/dense.hpp"
 #include "idiophone/solids/accuracy/pitch_error.hpp"
-#include "idiophone/solids/eigenmodes/mesh_errors.hpp"
+#include "idiophone/solids/eigenmodes/spread_mesh_errors.hpp"
 #include "idiophone/solids/mesh/mesh.hpp"
 #include "idiophone/solids/motion/attachments.hpp"
 
@@ -199,17 +199,16 @@ std::vector<double> StrainedBody::mesh_errors(const FrequencyModel& model) const
   for (const auto& field : fields.colwise()) {
     shapes.emplace_back(field.begin(), field.end());
   }
-  std::vector<double> estimates =
-      eigenmodes::mesh_errors(alone(), {mesh_}, mass_, shapes, eigenmodes::Estimates::quick).cents;
-  estimates.resize(shapes.size(), std::numeric_limits<double>::quiet_NaN());
+  std::vector<double> estimates = eigenmodes::spread_mesh_errors(alone(), {mesh_}, mass_, shapes);
+  std::ranges::transform(estimates, estimates.begin(), [](double cents) { return std::abs(cents); });
+  estimates = filled_errors(std::move(estimates));
   const accuracy::Cells cells = accuracy::cells_of(statistics_, body_.element);
   const accuracy::Extents extents = accuracy::extents(statistics_);
   std::vector<double> errors;
   for (const Multiplet& multiplet : model.multiplets()) {
     const double estimate = Eigen::Map<const Eigen::VectorXd>(&estimates[multiplet.first], multiplet.count).mean();
     const double frequency = std::sqrt(multiplet.square) / (2 * std::numbers::pi);
-    const double error =
-        std::isnan(estimate) ? accuracy::pitch_error(cells, extents, material_, frequency) : std::abs(estimate);
+    const double error = std::isnan(estimate) ? accuracy::pitch_error(cells, extents, material_, frequency) : estimate;
     errors.push_back(std::min(largest_error, error));
   }
   return errors;

@@ -76,7 +76,8 @@ class StrainedBody {
   [[nodiscard]] Antinode antinode(const Multiplet& multiplet) const;
 
   /// Cents by which the mesh makes the multiplets of a model wrong, at most 100. [multiplets] Estimated
-  /// (eigenmodes::mesh_errors()) as far as that is quick, and by rule (accuracy::pitch_error()) for the others.
+  /// for modes that are spread over the model (eigenmodes::spread_mesh_errors()), and filled_errors() for the others.
+  /// By rule (accuracy::pitch_error()) where the elements can't be refined.
   /// @param model  the last one that this body made
   [[nodiscard]] std::vector<double> mesh_errors(const FrequencyModel& model) const;
 
