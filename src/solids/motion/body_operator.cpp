@@ -14,11 +14,9 @@ void BodyOperator::leave_out_held(std::span<double> values) const {
   }
 }
 
-std::vector<double> BodyOperator::displacements(std::span<const double> x) const {
-  std::vector<double> moved(x.begin(), x.end());
-  mass.apply_inverse_factor(moved);
-  leave_out_held(moved);
-  return moved;
+void BodyOperator::apply_factor(std::span<double> x) const {
+  mass.apply_inverse_factor(x);
+  leave_out_held(x);
 }
 
 void BodyOperator::receive_ghosts() {
@@ -36,9 +34,10 @@ void BodyOperator::displace(std::span<const double> moved, double factor) {
 }
 
 void BodyOperator::apply(std::span<const double> x, std::span<double> result) {
-  const std::vector<double> moved = displacements(x);
+  std::ranges::copy(x, result.begin());
+  apply_factor(result);
   for (std::size_t c = 0; c < size(); ++c) {
-    node(c).velocity[c % 3] = moved[c];
+    node(c).velocity[c % 3] = result[c];
   }
   receive_ghosts();
   std::ranges::fill(force, solid::NodeForce{});
@@ -52,9 +51,18 @@ void BodyOperator::apply(std::span<const double> x, std::span<double> result) {
 }
 
 SharedOperator::SharedOperator(BodyOperator& own, const BodyRows& rows, MPI_Comm communicator)
-    : own_(own), rows_(rows), communicator_(communicator), x_(own.size()), y_(own.size()) {}
+    : own_(own), rows_(rows), communicator_(communicator) {
+  if (!rows.is_whole()) {
+    x_.resize(own.size());
+    y_.resize(own.size());
+  }
+}
 
 void SharedOperator::apply(std::span<const double> x, std::span<double> y) {
+  if (rows_.is_whole()) {
+    own_.apply(x, y);
+    return;
+  }
   static_cast<void>(parallel::from_root(true, communicator_));
   apply_share(x, y);
 }

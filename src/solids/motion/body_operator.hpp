@@ -30,13 +30,14 @@ struct BodyOperator {
 
   [[nodiscard]] std::size_t size() const { return held.size(); }
 
-  /// L x, zero where it is held.
-  [[nodiscard]] std::vector<double> displacements(std::span<const double> x) const;
+  /// Turns x into displacements L x, zero where it is held.
+  void apply_factor(std::span<double> x) const;
 
   /// Puts the nodes at `moved` times a factor, at rest. Collective.
   void displace(std::span<const double> moved, double factor);
 
   /// Collective.
+  /// @param result  not x itself
   void apply(std::span<const double> x, std::span<double> result);
 
  private:
@@ -81,7 +82,7 @@ class SharedOperator {
   BodyOperator& own_;
   const BodyRows& rows_;
   MPI_Comm communicator_;
-  std::vector<double> x_, y_;  ///< this rank's shares
+  std::vector<double> x_, y_;  ///< this rank's shares; empty where it has all of the body
 };
 
 }  // namespace idiophone::motion

@@ -13,9 +13,12 @@ BodyRows::BodyRows(const mesh::Part& part, const mesh::BodyPart& body, int width
       row_(width_, MPI_DOUBLE),
       counts_(parallel::gather(static_cast<int>(body.owned_end - body.owned_begin), communicator)),
       offsets_(parallel::offsets_of(counts_)) {
-  if (parallel::is_root(communicator)) {
-    places_.resize(offsets_.back() + counts_.back());
+  const auto rows = static_cast<std::size_t>(offsets_.back()) + counts_.back();
+  size_ = parallel::is_root(communicator) ? rows * width_ : 0;
+  if (is_whole()) {
+    return;  // one rank's nodes ascend
   }
+  places_.resize(size_ / width_);
   MPI_Gatherv(part.node_ids.data() + body.owned_begin, body.owned_end - body.owned_begin, MPI_INT32_T, places_.data(),
               counts_.data(), offsets_.data(), MPI_INT32_T, 0, communicator);
   // The nodes of a body have numbers one after another.
@@ -24,6 +27,10 @@ BodyRows::BodyRows(const mesh::Part& part, const mesh::BodyPart& body, int width
 }
 
 void BodyRows::scatter(std::span<const double> whole, std::span<double> own) const {
+  if (is_whole()) {
+    std::ranges::copy(whole, own.begin());
+    return;
+  }
   std::vector<double> sorted(size());
   for (std::size_t row = 0; row < places_.size(); ++row) {
     std::copy_n(&whole[width_ * places_[row]], width_, &sorted[width_ * row]);
@@ -33,6 +40,10 @@ void BodyRows::scatter(std::span<const double> whole, std::span<double> own) con
 }
 
 void BodyRows::gather(std::span<const double> own, std::span<double> whole) const {
+  if (is_whole()) {
+    std::ranges::copy(own, whole.begin());
+    return;
+  }
   std::vector<double> sorted(size());
   MPI_Gatherv(own.data(), counts_[parallel::rank_of(communicator_)], row_.get(), sorted.data(), counts_.data(),
               offsets_.data(), row_.get(), 0, communicator_);

@@ -20,7 +20,10 @@ class BodyRows {
   BodyRows(const mesh::Part& part, const mesh::BodyPart& body, int width, MPI_Comm communicator);
 
   /// Numbers in all rows together: on rank 0 only.
-  [[nodiscard]] std::size_t size() const { return places_.size() * width_; }
+  [[nodiscard]] std::size_t size() const { return size_; }
+
+  /// Whether there is only one rank, whose share is the whole.
+  [[nodiscard]] bool is_whole() const { return counts_.size() == 1; }
 
   /// Rank 0's rows to their owners. Collective.
   /// @param whole  [size()] on rank 0; ignored elsewhere
@@ -37,7 +40,9 @@ class BodyRows {
   std::size_t width_;
   parallel::Datatype row_;
   std::vector<int> counts_, offsets_;  ///< [ranks] rows of each rank, and where they begin
-  std::vector<Index> places_;          ///< on rank 0: of the ranks' rows, one rank's after another's, in the whole
+  std::vector<Index> places_;          ///< on rank 0: of the ranks' rows, one rank's after another's, in the whole;
+                                       ///< empty where the share is the whole
+  std::size_t size_ = 0;
 };
 
 }  // namespace idiophone::motion

@@ -71,9 +71,9 @@ void Constraints::number_components(Held& held) {
   held.at_rest.resize(held.components.size());
   for (std::size_t g = 0; g < held.groups.size(); ++g) {
     for_each_component(held.groups[g], 0.0, [&](Index node, int i, double) {
-      const auto found = last_group.find(3 * node + i);
-      const bool holds = found->second == g;
-      held.groups[g].places.push_back(holds ? static_cast<Index>(std::distance(last_group.begin(), found)) : -1);
+      const Index component = 3 * node + i;
+      const auto place = std::ranges::lower_bound(held.components, component) - held.components.begin();
+      held.groups[g].places.push_back(last_group.at(component) == g ? static_cast<Index>(place) : -1);
     });
   }
 }

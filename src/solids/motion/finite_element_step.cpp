@@ -7,6 +7,7 @@
 #include <functional>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "body_operator.hpp"
 #include "finite_element_body.hpp"
@@ -36,6 +37,13 @@ PetscErrorCode apply_operator(Mat matrix, Vec in, Vec out) {
   PetscFunctionReturn(0);
 }
 
+/// How many vectors the search keeps. Most of the memory is theirs, so large bodies have 8 instead of SLEPc's 16, and
+/// half as many more products with the matrix.
+PetscInt kept_vectors(PetscInt components) {
+  constexpr PetscInt many = 15'000'000;
+  return components < many ? PETSC_DEFAULT : 8;
+}
+
 /// The largest eigenvalue (w^2) and its vector, by SLEPc's Krylov-Schur method, which rank 0 runs alone, so that its
 /// sums do not depend on the number of ranks.
 double largest_eigenvalue(SharedOperator& shared, std::vector<double>& vector) {
@@ -49,6 +57,7 @@ double largest_eigenvalue(SharedOperator& shared, std::vector<double>& vector) {
   petsc(EPSSetOperators(solver, matrix, nullptr));
   petsc(EPSSetProblemType(solver, EPS_HEP));
   petsc(EPSSetWhichEigenpairs(solver, EPS_LARGEST_REAL));
+  petsc(EPSSetDimensions(solver, 1, kept_vectors(size), PETSC_DEFAULT));
   petsc(EPSSetTolerances(solver, 1e-3, 1000));  // far inside the safety factor
   petsc(EPSSetFromOptions(solver));
   petsc(EPSSolve(solver));
@@ -58,14 +67,11 @@ double largest_eigenvalue(SharedOperator& shared, std::vector<double>& vector) {
     throw std::runtime_error(
         "the largest eigenfrequency was not found, so no stable step is known; set time.steps_per_sample yourself");
   }
+  vector.resize(shared.size());
   parallel::Handle<Vec> mode;
+  petsc(VecCreateSeqWithArray(PETSC_COMM_SELF, 1, size, vector.data(), mode.out()));
   PetscScalar value = 0.0;
-  petsc(MatCreateVecs(matrix, mode.out(), nullptr));
   petsc(EPSGetEigenpair(solver, 0, &value, nullptr, mode, nullptr));
-  const PetscScalar* entries = nullptr;
-  petsc(VecGetArrayRead(mode, &entries));
-  vector.assign(entries, entries + size);
-  petsc(VecRestoreArrayRead(mode, &entries));
   return value;
 }
 
@@ -96,9 +102,10 @@ struct StrainedElement {
 };
 
 /// Energy of a mode of L^T K L in the elements computed here. Collective.
-std::vector<double> energies(BodyOperator& body, const std::vector<double>& mode, MPI_Comm communicator) {
+/// @param moved  the mode, [3 x owned nodes of the body]
+std::vector<double> energies(BodyOperator& body, std::vector<double> moved, MPI_Comm communicator) {
   constexpr double small = 1e-12;  // displacements so small that the strain is linear
-  const std::vector<double> moved = body.displacements(mode);
+  body.apply_factor(moved);
   double here = 0.0;
   std::ranges::for_each(moved, [&](double u) { here = std::max(here, std::abs(u)); });
   const double largest = parallel::largest(here, communicator);
@@ -181,8 +188,8 @@ StableStep FiniteElementBody::stable_step(const Supports& supports, const BodyRa
   }
   result.damping = mass_damping_ + parallel::largest(rate, ranks.communicator) + solid_.damping(w);
   result.step = largest_step(w, result.damping);
-  const StrainedElement most =
-      most_strained_element(body_, energies(own, mode, ranks.communicator), part_.reference, ranks.communicator);
+  const StrainedElement most = most_strained_element(body_, energies(own, std::move(mode), ranks.communicator),
+                                                     part_.reference, ranks.communicator);
   result.element = most.element;
   result.centre = most.centre;
   return result;
