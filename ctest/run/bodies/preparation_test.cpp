@@ -77,6 +77,15 @@ TEST(Preparation, HasRadiiOnlyWhereRadiationAsksForThem) {
   }
 }
 
+TEST(Preparation, GivesTheShapesOfModesToTheRankThatHasTheBody) {
+  const Preparation ready = prepared("touching.yaml", {"bodies.block.model={type: modal, count: 4}"});
+  const auto& [body, basis] = *ready.modal_bases.begin();
+  const mesh::BodyPart& here = ready.part.bodies[body];
+  const bool is_here = here.owned_begin < here.owned_end;
+  EXPECT_EQ(basis.shapes.size(), is_here ? 3 * basis.modes() * basis.nodes() : 0U);
+  EXPECT_GT(basis.nodes(), 0U);
+}
+
 TEST(Preparation, RefusesModesThatTheMeshCannotHave) {
   expect_mistake("touching.yaml", {"bodies.block.model={type: modal, up_to: 3900}", "materials.rubber.young=1e5"},
                  "bodies.block.model.up_to: waves of 3900 Hz are");

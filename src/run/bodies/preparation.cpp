@@ -10,11 +10,11 @@
 #include "idiophone/foundation/parallel/broadcast.hpp"
 #include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/errors.hpp"
+#include "idiophone/run/bodies/reading_in_parts.hpp"
 #include "idiophone/scene/joined_solids.hpp"
 #include "idiophone/solids/contact/outline.hpp"
 #include "modal_preparation.hpp"
 #include "preparation_report.hpp"
-#include "reading_in_parts.hpp"
 #include "root_elements.hpp"
 #include "steps.hpp"
 
@@ -97,6 +97,7 @@ Preparation complete(Preparation ready, const std::vector<mesh::Mesh>& meshes, c
   ready.modal_bases = modal_bodies::broadcast(std::move(ready.modal_bases), communicator);
   parallel::broadcast(ready.mesh_hash, communicator);
   distribute(ready);
+  modal_bodies::move_shapes(ready.modal_bases, ready.part, communicator);
   ready.initial_state =
       motion::find_initial_state(ready.scene, own_step(ready.scene), meshes, ready.part, ready.attachments,
                                  ready.contact_surfaces, ready.models(), communicator);

@@ -1,4 +1,4 @@
-#include "reading_in_parts.hpp"
+#include "idiophone/run/bodies/reading_in_parts.hpp"
 
 #include <algorithm>
 

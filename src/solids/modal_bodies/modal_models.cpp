@@ -1,6 +1,9 @@
 #include "idiophone/solids/modal_bodies/modal_models.hpp"
 
 #include "idiophone/foundation/parallel/broadcast.hpp"
+#include "idiophone/foundation/parallel/communicator.hpp"
+#include "idiophone/foundation/parallel/exchange.hpp"
+#include "idiophone/foundation/parallel/reduce.hpp"
 #include "modal_body.hpp"
 
 namespace idiophone::modal_bodies {
@@ -32,8 +35,8 @@ void broadcast(ModalBasis& basis, MPI_Comm communicator) {
   basis.common_with = common_with == alone ? std::nullopt : std::optional(common_with);
   Stretching& stretching = basis.stretching;
   for (auto* values :
-       {&basis.frequencies, &basis.decay_rates, &basis.shapes, &basis.masses, &basis.residual, &basis.rest,
-        &basis.rest_force, &basis.rest_stiffness, &stretching.linear, &stretching.quadratic, &stretching.rotation}) {
+       {&basis.frequencies, &basis.decay_rates, &basis.masses, &basis.residual, &basis.rest, &basis.rest_force,
+        &basis.rest_stiffness, &stretching.linear, &stretching.quadratic, &stretching.rotation}) {
     parallel::broadcast(*values, communicator);
   }
   parallel::broadcast(basis.mass_damping, communicator);
@@ -52,6 +55,19 @@ ModalBases broadcast(ModalBases bases, MPI_Comm communicator) {
     broadcast(bases[body], communicator);
   }
   return bases;
+}
+
+void move_shapes(ModalBases& bases, const mesh::Part& part, MPI_Comm communicator) {
+  for (auto& [body, basis] : bases) {
+    const bool is_here = part.bodies[body].owned_begin < part.bodies[body].owned_end;
+    const int owner = parallel::largest(is_here ? parallel::rank_of(communicator) : 0, communicator);
+    if (owner == 0) {
+      continue;
+    }
+    std::vector<int> counts(parallel::size_of(communicator));
+    counts[owner] = parallel::is_root(communicator) ? static_cast<int>(basis.modes()) : 0;
+    basis.shapes = parallel::exchange<double>(basis.shapes, counts, communicator, 3 * basis.nodes());
+  }
 }
 
 }  // namespace idiophone::modal_bodies

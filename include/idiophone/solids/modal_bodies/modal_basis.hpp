@@ -19,8 +19,9 @@ struct ModalBasis {
       frequencies;  ///< [modes] w, rad/s, ascending: zeta does not count, but the stiffness that losses add does
   std::size_t further = 0;          ///< how many of them, the highest, joints add to those of the model
   std::vector<double> decay_rates;  ///< [modes] zeta w: amplitudes fall as exp(-zeta w t), 1/s
-  std::vector<double> shapes;       ///< [modes x 3 x nodes], mode by mode, kg^-1/2: x^T M x = 1
-  std::vector<double> masses;       ///< [nodes] of the lumped mass matrix M, kg
+  /// [modes x 3 x nodes], mode by mode, kg^-1/2: x^T M x = 1. In a run, empty on ranks that do not have the body
+  std::vector<double> shapes;
+  std::vector<double> masses;  ///< [nodes] of the lumped mass matrix M, kg
   /// [nodes] Flexibility that the modes left out add at a node along its normal, m/N: the static displacement by a unit
   /// force there, less that of the modes above. Zero where no load, support or contact can act.
   std::vector<double> residual;
