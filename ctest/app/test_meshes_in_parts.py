@@ -167,10 +167,12 @@ class MeshesInParts(DecksWithMeshFiles):
         job = program.idiophone("check", deck, "--ranks", 1, ranks=2, environment=PARTS)
         self.require_status(job, program.FAILED)
         self.assertIn("2 processes are too many for the parts of 1 ranks: use at most 1", job.stderr)
+        self.assertNotIn(SAYS_SO, job.stdout + job.stderr)  # before anything is read
         job = program.idiophone("check", deck, "--ranks", 3, ranks=2)
         self.require_status(job, program.FAILED)
         self.assertIn("needs one process where meshes are read whole: start it without mpirun. Meshes are read in parts "
                       "from 4 million elements of .h5 files on", job.stderr)
+        self.assertNotIn("body ", job.stdout + job.stderr)
 
     def test_what_needs_whole_meshes_reads_them(self):
         lines = program.deck("breaking").read_text().splitlines()

@@ -138,6 +138,17 @@ void print_json(const bodies::Preparation& ready, nlohmann::json costs,
   print_answer(answer);
 }
 
+/// What stands for a rehearsal where a run does not fit into the memory.
+advice::RehearsedSample motion_alone(const bodies::Preparation& ready, double step_seconds) {
+  if (parallel::is_root(MPI_COMM_WORLD)) {
+    spdlog::warn(
+        "the run does not fit into this memory, so its first moments were not played: its time is that of the "
+        "motion alone, without contact and sound");
+  }
+  const double seconds = ready.steps_per_sample * step_seconds;
+  return {.seconds = seconds, .motion = seconds};
+}
+
 /// Lists the faces of all bodies. Collective.
 void list_faces(const CheckOptions& options) {
   const scene::Scene scene = bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
@@ -159,24 +170,28 @@ int check(const CheckOptions& options) {
   }
   const double program = loop::peak_memory();
   const double begun = advice::processor_clock();
-  bodies::PreparedMeshes prepared =
-      bodies::prepare_with_meshes(bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD), MPI_COMM_WORLD,
-                                  options.prediction.ranks ? bodies::ReadRows::keep : bodies::ReadRows::drop);
-  const bodies::Preparation& ready = prepared.ready;
+  scene::Scene scene = bodies::read_deck(options.deck, options.overrides, MPI_COMM_WORLD);
+  advice::Network network;
   if (options.prediction.ranks) {
-    advice::require_fitting_processes(prepared, *options.prediction.ranks, MPI_COMM_WORLD);
+    network = network_of(options.prediction);
+    advice::require_fitting_processes(scene, *options.prediction.ranks, MPI_COMM_WORLD);
   }
+  bodies::PreparedMeshes prepared = bodies::prepare_with_meshes(
+      std::move(scene), MPI_COMM_WORLD, options.prediction.ranks ? bodies::ReadRows::keep : bodies::ReadRows::drop);
+  const bodies::Preparation& ready = prepared.ready;
   const double preparation = parallel::largest(advice::processor_clock() - begun, MPI_COMM_WORLD);
   const advice::StepMeasurement measured = advice::measure_steps(ready, program, MPI_COMM_WORLD);
   std::optional<advice::RankPrediction> prediction;  // before the rehearsal, which needs memory of its own
   if (options.prediction.ranks) {
-    prediction = advice::predict_ranks(prepared, *options.prediction.ranks, measured, network_of(options.prediction),
-                                       MPI_COMM_WORLD);
+    prediction = advice::predict_ranks(prepared, *options.prediction.ranks, measured, network, MPI_COMM_WORLD);
   }
   const std::optional<waves::Plan> waves = plan_of_waves(ready);
   const double needed = parallel::sum(measured.memory.of(ready.part), MPI_COMM_WORLD) + (waves ? waves->bytes() : 0.0);
   const double memory = loop::memory_of_machines(MPI_COMM_WORLD);
-  const advice::RehearsedSample sample = advice::rehearse(ready, MPI_COMM_WORLD);
+  const double step_seconds = measured.step.whole / parallel::size_of(MPI_COMM_WORLD);
+  const advice::RehearsedSample sample = needed <= memory || waves
+                                             ? advice::rehearse(ready, step_seconds, MPI_COMM_WORLD)
+                                             : motion_alone(ready, step_seconds);
   if (prediction && waves) {
     const double of_all = sample.radiation * parallel::size_of(MPI_COMM_WORLD);
     prediction->waves =

@@ -24,6 +24,7 @@ FiniteElementSource::FiniteElementSource(const Preparation& ready, parallel::Sta
                                          accelerator::Accelerator* accelerator)
     : Source(audible_surface(ready, communicator)),
       ready_(ready),
+      steps_per_read_(ready.steps_per_read),
       stages_(stages),
       communicator_(communicator),
       rank_(parallel::rank_of(communicator)),
@@ -69,7 +70,7 @@ void FiniteElementSource::advance(surface::SurfaceMotion& motion) {
   for (int read = 0; read < surfaces_->sampling().reads_per_sample(); ++read) {
     {
       const parallel::Stages::Scope stage(stages_, parallel::Stage::motion);
-      advance_motion_to(motion_.step_number() + ready_.steps_per_read);
+      advance_motion_to(motion_.step_number() + steps_per_read_);
     }
     const parallel::Stages::Scope stage(stages_, parallel::Stage::surface);
     surfaces_->read(motion_);

@@ -9,8 +9,10 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "idiophone/foundation/parallel/communicator.hpp"
 #include "idiophone/foundation/parallel/gather.hpp"
 #include "idiophone/foundation/parallel/reduce.hpp"
+#include "idiophone/run/bodies/reading_in_parts.hpp"
 #include "idiophone/run/loop/facts.hpp"
 #include "idiophone/run/loop/resources.hpp"
 #include "idiophone/solids/motion/ghost_exchange.hpp"
@@ -102,9 +104,9 @@ mesh::PartSize largest(const mesh::PartSize& own, MPI_Comm communicator) {
 
 }  // namespace
 
-void require_fitting_processes(const bodies::PreparedMeshes& prepared, int ranks, MPI_Comm communicator) {
+void require_fitting_processes(const scene::Scene& scene, int ranks, MPI_Comm communicator) {
   const int processes = parallel::size_of(communicator);
-  if (prepared.rows.empty() && processes > 1) {
+  if (processes > 1 && !bodies::reads_in_parts(scene, communicator)) {
     throw std::runtime_error(
         "check --ranks needs one process where meshes are read whole: start it without mpirun. Meshes are read in "
         "parts from 4 million elements of .h5 files on");

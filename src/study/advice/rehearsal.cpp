@@ -17,7 +17,7 @@ namespace idiophone::advice {
 
 namespace {
 
-constexpr double long_enough = 0.3;     // s, of a rehearsal
+constexpr double long_enough = 0.3;     // s, of a rehearsal, and of the steps of an audio sample in it
 constexpr double contact_budget = 3.0;  // s, for the contacts of a scene
 constexpr int contact_steps = 40;
 constexpr double near = 0.05;  // of the thinnest cell: a gap that is none, and an overlap
@@ -124,14 +124,22 @@ ContactCost cost_of(const bodies::Preparation& ready, const scene::Contact& cont
   return cost;
 }
 
+/// After how many steps the surface is read.
+int rehearsed_steps_per_read(const bodies::Preparation& ready, double step_seconds) {
+  const double share = long_enough / (ready.steps_per_sample * step_seconds);
+  return static_cast<int>(std::clamp(share * ready.steps_per_read, 1.0, static_cast<double>(ready.steps_per_read)));
+}
+
 }  // namespace
 
-RehearsedSample rehearse(const bodies::Preparation& ready, MPI_Comm communicator) {
+RehearsedSample rehearse(const bodies::Preparation& ready, double step_seconds, MPI_Comm communicator) {
   parallel::Stages stages;
   bodies::FiniteElementSource source(ready, stages, communicator);
   propagation::AudioPath air(ready.scene, source.surface(), source.first_sample(), stages, communicator);
   if (propagation::AirLoad* const load = air.load()) {
     source.couple(*load);
+  } else {
+    source.read_after(rehearsed_steps_per_read(ready, parallel::largest(step_seconds, communicator)));
   }
   surface::SurfaceMotion motion;
   source.start(motion);
@@ -146,6 +154,7 @@ RehearsedSample rehearse(const bodies::Preparation& ready, MPI_Comm communicator
   };
   advance(1);
   const parallel::Stages before = stages;
+  const std::int64_t first_step = source.motion().step_number();
   const double begun = processor_clock(), wall_begun = parallel::wall_time();
   double passed = 0.0;
   int samples = 0;
@@ -159,8 +168,11 @@ RehearsedSample rehearse(const bodies::Preparation& ready, MPI_Comm communicator
   const auto of = [&](parallel::Stage stage) {
     return parallel::largest(share * (stages.seconds(stage) - before.seconds(stage)), communicator);
   };
-  return {.seconds = passed / samples,
-          .motion = of(parallel::Stage::motion) + of(parallel::Stage::contact),
+  const double rehearsed = of(parallel::Stage::motion) + of(parallel::Stage::contact);
+  const auto steps = static_cast<double>(source.motion().step_number() - first_step);
+  const double motion_of_all = rehearsed * (static_cast<double>(samples) * ready.steps_per_sample / steps);
+  return {.seconds = passed / samples - rehearsed + motion_of_all,
+          .motion = motion_of_all,
           .radiation = of(parallel::Stage::radiation)};
 }
 

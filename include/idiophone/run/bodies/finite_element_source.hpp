@@ -45,6 +45,11 @@ class FiniteElementSource : public Source {
 
   [[nodiscard]] std::int64_t first_sample() const override;
   void couple(propagation::AirLoad& air) override;
+
+  /// From now on, the surface is read after each so many steps, not after Preparation::steps_per_read. The motion stays
+  /// right and the sound becomes wrong: to measure times.
+  void read_after(int steps) { steps_per_read_ = steps; }
+
   void start(surface::SurfaceMotion& motion) override;
   void advance(surface::SurfaceMotion& motion) override;
   [[nodiscard]] std::vector<ChannelGroup*> channels() override {
@@ -80,6 +85,7 @@ class FiniteElementSource : public Source {
   [[nodiscard]] std::string too_large_rotation(std::size_t body) const;   ///< of one for large ones
 
   const Preparation& ready_;
+  int steps_per_read_;
   parallel::Stages& stages_;
   MPI_Comm communicator_;
   int rank_;

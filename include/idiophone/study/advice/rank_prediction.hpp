@@ -28,10 +28,10 @@ struct RankPrediction {
   std::optional<WavePrediction> waves;  ///< none: another radiation model
 };
 
-/// What predict_ranks() needs, before steps are measured.
-/// @throws std::runtime_error, on every process, where there are fewer ranks than processes, or several processes have
+/// What predict_ranks() needs, before meshes are read. Collective.
+/// @throws std::runtime_error, on every process, where there are fewer ranks than processes, or several processes would
 ///         read the meshes whole
-void require_fitting_processes(const bodies::PreparedMeshes& prepared, int ranks, MPI_Comm communicator);
+void require_fitting_processes(const scene::Scene& scene, int ranks, MPI_Comm communicator);
 
 /// Cuts the bodies into parts as a run would: by METIS on one process, or along the curve where each process has read
 /// its part of the meshes. The elements' time is divided like their work, all else like the nodes. Messages travel

@@ -13,9 +13,11 @@ struct RehearsedSample {
   double radiation = 0.0;  ///< part of it: from emissions to listeners, s
 };
 
-/// Advances bodies and air as a run does, for some tenths of a second. Collective.
+/// Advances bodies and air as a run does, for some tenths of a second. Where the steps of one audio sample take longer,
+/// some of them stand for all, unless the air acts on the bodies in each. Collective.
+/// @param step_seconds  processor time of a step, s
 /// @throws std::runtime_error where the run would fail
-[[nodiscard]] RehearsedSample rehearse(const bodies::Preparation& ready, MPI_Comm communicator);
+[[nodiscard]] RehearsedSample rehearse(const bodies::Preparation& ready, double step_seconds, MPI_Comm communicator);
 
 /// What a contact adds to the time of a run.
 struct ContactCost {
