@@ -98,6 +98,9 @@ class Outputs(program.TestCase):
         self.require_status(found, program.FINISHED)
         self.assertIn("frequency/Hz", found.stdout)
         self.assertRegex(found.stdout, r"(?m)^ +\d+\.\d\d +-?\d+\.\d\d ")
+        self.assertNotIn("forces act", found.stderr + found.stdout)
+        during = program.idiophone("analyze", self.output / "simple.h5", "--start", "0")
+        self.assertIn("forces act in this part (loads until 0.001 s)", during.stderr + during.stdout)
 
     def test_lines_of_a_run(self):
         checkpoints = "--set", "output.checkpoint.every_minutes=1e-9"

@@ -1,6 +1,7 @@
 // `idiophone analyze`: the partials and levels of a sound.
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
@@ -101,6 +102,22 @@ void warn_of_turning(const spectra::Sound& sound, const AnalyzeOptions& options)
           "(balanced: true)",
           sound.name, body, degrees, body);
     }
+  }
+}
+
+/// Warns of forces that act while the sound is analysed.
+void warn_of_forces(const spectra::Sound& sound, const AnalyzeOptions& options) {
+  const auto [start, duration] = part_of(sound, options);
+  std::vector<std::string> acting;
+  for (const auto& [name, until] : partials::acting_forces(options.result, start, start + duration)) {
+    acting.push_back(fmt::format("{} until {:.4g} s", name, until));
+  }
+  if (!acting.empty()) {
+    spdlog::warn(
+        "{}: forces act in this part ({}), so the sound is no free decay: frequencies of the forces look like "
+        "partials, "
+        "and levels and decay times of partials can be wrong. Choose a part without forces (--start, --duration)",
+        sound.name, fmt::join(acting, ", "));
   }
 }
 
@@ -208,6 +225,7 @@ int analyze(const AnalyzeOptions& options) {
     }
     if (is_result) {
       warn_of_turning(sound, options);
+      warn_of_forces(sound, options);
     }
     const partials::PartialsByChannel partials = find_partials(sound, options);
     if (options.style == Style::json) {

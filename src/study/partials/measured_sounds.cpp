@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
+#include <optional>
 
 #include "idiophone/foundation/spectra/sound_file.hpp"
 #include "idiophone/run/results/series_reader.hpp"
@@ -24,6 +26,45 @@ double largest_turn(const std::vector<double>& quaternions) {
     least = std::min(least, std::abs(product));
   }
   return 2 * std::acos(least) * 180 / std::numbers::pi;
+}
+
+/// Rows of a series.
+struct Rows {
+  std::int64_t first = 0;
+  std::int64_t count = 0;
+};
+
+/// The rows from `start` to `end`, s.
+Rows rows_between(const results::SeriesReader& reader, const spectra::Series& series, double start, double end) {
+  const std::int64_t all = reader.rows(series);
+  const auto first = std::clamp<std::int64_t>(std::llround(start * series.rate), 0, all);
+  const auto last = std::clamp<std::int64_t>(std::llround(end * series.rate) + 1, first, all);
+  return {first, last - first};
+}
+
+/// The last time at which one of the columns has another value than in the row before, s.
+std::optional<double> last_change(const results::SeriesReader& reader, const spectra::Series& series,
+                                  const std::string& column, const Rows& rows) {
+  const std::vector<double> values = reader.read(series, rows.first, rows.count);
+  const std::size_t width = series.columns.size();
+  const auto c = static_cast<std::size_t>(std::ranges::find(series.columns, column) - series.columns.begin());
+  for (auto row = static_cast<std::size_t>(rows.count); c < width && row-- > 1;) {
+    if (values[row * width + c] != values[(row - 1) * width + c]) {
+      return static_cast<double>(rows.first + static_cast<std::int64_t>(row)) / series.rate;
+    }
+  }
+  return {};
+}
+
+/// The last time of a value that is not zero, s.
+std::optional<double> last_value(const results::SeriesReader& reader, const spectra::Series& series, const Rows& rows) {
+  const std::vector<double> values = reader.read(series, rows.first, rows.count);
+  for (std::size_t i = values.size(); i-- > 0;) {
+    if (values[i] != 0) {
+      return static_cast<double>(rows.first + static_cast<std::int64_t>(i / series.columns.size())) / series.rate;
+    }
+  }
+  return {};
 }
 
 }  // namespace
@@ -54,13 +95,32 @@ std::vector<TurnedBody> turned_bodies(const std::filesystem::path& result, doubl
     if (!series.path.starts_with(motion) || !series.path.ends_with(orientation)) {
       continue;
     }
-    const std::int64_t rows = reader.rows(series);
-    const auto first = std::clamp<std::int64_t>(std::llround(start * series.rate), 0, rows);
-    const auto last = std::clamp<std::int64_t>(std::llround(end * series.rate) + 1, first, rows);
+    const Rows rows = rows_between(reader, series, start, end);
     const std::string body = series.path.substr(motion.size(), series.path.size() - motion.size() - orientation.size());
-    bodies.push_back({body, largest_turn(reader.read(series, first, last - first))});
+    bodies.push_back({body, largest_turn(reader.read(series, rows.first, rows.count))});
   }
   return bodies;
+}
+
+std::vector<ActingForce> acting_forces(const std::filesystem::path& result, double start, double end) {
+  const std::string contacts = "/contacts/";
+  const std::string force = "/force";
+  const results::SeriesReader reader(result);
+  std::vector<ActingForce> acting;
+  for (const spectra::Series& series : reader.all()) {
+    const Rows rows = rows_between(reader, series, start, end);
+    if (series.path == "/energy") {
+      if (const auto until = last_change(reader, series, "work", rows)) {
+        acting.push_back({"loads", *until});
+      }
+    } else if (series.path.starts_with(contacts) && series.path.ends_with(force)) {
+      if (const auto until = last_value(reader, series, rows)) {
+        const std::size_t length = series.path.size() - contacts.size() - force.size();
+        acting.push_back({"contact " + series.path.substr(contacts.size(), length), *until});
+      }
+    }
+  }
+  return acting;
 }
 
 }  // namespace idiophone::partials

@@ -26,4 +26,14 @@ struct TurnedBody {
 /// orientations.
 [[nodiscard]] std::vector<TurnedBody> turned_bodies(const std::filesystem::path& result, double start, double end);
 
+/// What does work on the bodies of a result.
+struct ActingForce {
+  std::string name;    ///< "loads", or "contact NAME"
+  double until = 0.0;  ///< s, when it acts for the last time in the part
+};
+
+/// What acts on the bodies from `start` to `end` (s), so that they do not vibrate freely: pulses, winds, bows and
+/// driven groups, by the work that they do (where the result has energies), and contacts.
+[[nodiscard]] std::vector<ActingForce> acting_forces(const std::filesystem::path& result, double start, double end);
+
 }  // namespace idiophone::partials
