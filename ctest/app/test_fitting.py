@@ -37,7 +37,12 @@ class Identify(program.TestCase):
         self.assertLess(found["chi_squared"], 1e-3)
         self.assertEqual(found["degrees_of_freedom"], len(lines) - 2)
         self.assertTrue(found["accepted"])
-        text = self.identify(measured=json.dumps({"lines": lines})).stdout
+        self.assertIn(f"moduli are those for the deck's density of {found['density']:.4g} kg/m3", job.stderr)
+        mass = found["density"] * found["volume"]
+        self.assertIn(f"the body weighs {mass:.4g} kg", job.stderr)
+        job = self.identify(measured=json.dumps({"lines": lines, "mass": mass}))
+        self.assertNotIn("the mass was not measured", job.stderr + job.stdout)
+        text = job.stdout
         self.assertIn(f"materials:\n  {material}:\n    young: 6.2e+06\n", text)
         self.assertIn("rms of the fitted lines: 0.00 cents", text)
 

@@ -114,6 +114,20 @@ void warn_of_refused_sizes(const Identification& found) {
   }
 }
 
+/// Lines tell moduli over the density alone. Says which density they are for where the body was not weighed.
+void warn_of_the_density(const Identification& found) {
+  const auto is_modulus = [](const IdentifiedConstant& constant) {
+    return !constant.name.starts_with("poisson") && !constant.name.starts_with("turn");
+  };
+  if (std::ranges::any_of(found.constants, is_modulus)) {
+    spdlog::warn(
+        "the mass was not measured: the moduli are those for the deck's density of {:.4g} kg/m3, with which the body "
+        "weighs {:.4g} kg. They are proportional to it, and their intervals leave it out. Weigh the body, and give its "
+        "mass beside the lines, or its mass over {:.6g} m3 as density in the deck",
+        found.material.density, found.material.density * found.volume, found.volume);
+  }
+}
+
 /// Where the mesh errs by more than the measurement.
 void warn_of_the_mesh(const Identification& found) {
   const auto worst = std::ranges::max_element(found.lines, {}, &AssignedLine::mesh_error);
@@ -168,6 +182,9 @@ int identify(const IdentifyOptions& options) {
   warn_of_gaps(found);
   warn_of_refused_sizes(found);
   warn_of_the_mesh(found);
+  if (!measured.mass) {
+    warn_of_the_density(found);
+  }
   if (options.style == Style::json) {
     print_answer(identification_facts(found));
   } else {
