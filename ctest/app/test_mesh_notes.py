@@ -48,6 +48,9 @@ class MeshNotes(program.TestCase):
         job = program.idiophone("check", program.SOURCE / "inputs/bell.yaml", "--json")
         self.require_status(job, program.FINISHED)
         self.assertNotIn("highest_within_5_cents", json.loads(job.stdout)["bodies"]["bell"])
+        job = program.idiophone("check", program.SOURCE / "inputs/bell.yaml", "--accuracy", "5", "--set", "time.duration=0.01")
+        self.assertIn("body bell: no mesh is recommended for curved or joined thin walls", job.stdout)
+        self.assertNotIn("CPU-seconds per second of sound", job.stdout)
 
     def test_linear_elements_lock(self):
         told = self.check("bodies.plate.element=tet4")

@@ -58,6 +58,19 @@ class Modes(program.TestCase):
         self.assertIn(f"{seen['frequencies'][0]:.5g} Hz {seen['mesh_errors'][0]:+.1f} cents", text)
         self.assertNotIn("by the rules", text)
 
+    def test_check_estimates_the_vibrations_of_a_body_on_soft_supports(self):
+        supports = "bodies.plate.supports={cord: {at: [0.09, 0, 0.01], radius: 0.02, stiffness: 1}, string: {at: [0, 0.09, 0.01], stiffness: 1}}"
+        words = program.deck("simple"), "--set", "bodies.plate.fixed=[]", "--set", supports, "--output-folder", self.output, "--json"
+        job = program.idiophone("check", *words)
+        self.require_status(job, program.FINISHED)
+        seen = json.loads(job.stdout)["bodies"]["plate"]["lowest_modes"]
+        job = program.idiophone("modes", *words, "--modes", "10")
+        self.require_status(job, program.FINISHED)
+        modes = json.loads(job.stdout)["modes"]
+        self.assertEqual([mode["kind"][:12] for mode in modes[:6]], 6 * ["rigid motion"])
+        numpy.testing.assert_allclose(seen["frequencies"], [mode["frequency"] for mode in modes[6:]], rtol=1e-6)
+        numpy.testing.assert_allclose(seen["mesh_errors"], [mode["mesh_error"] for mode in modes[6:]], atol=0.1)
+
     def test_large_meshes_are_estimated_on_request(self):
         job = self.modes("simple", "--modes", "2", "--no-estimate", ranks=2)
         self.require_status(job, program.FINISHED)

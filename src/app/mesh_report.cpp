@@ -10,6 +10,7 @@
 #include "idiophone/scene/joined_bodies.hpp"
 #include "idiophone/solids/accuracy/recommendation.hpp"
 #include "idiophone/solids/solid/mass_scaling.hpp"
+#include "idiophone/study/advice/recommendations.hpp"
 
 namespace idiophone::app {
 
@@ -22,20 +23,6 @@ void report(const advice::PitchEstimate& estimate, const std::string& body) {
   }
   spdlog::info("body {}: its lowest modes, and how much the mesh makes each too high, as estimated: {}", body,
                fmt::join(modes, ", "));
-}
-
-/// What the rules for the pitch do not hold for, if it is the body.
-std::optional<std::string> without_rules(const scene::Body& body, const mesh::Statistics& statistics) {
-  if (!body.regions.empty()) {
-    return "bodies of several materials";
-  }
-  if (body.prestress) {
-    return "bodies under tension";
-  }
-  if (!accuracy::has_rules(accuracy::extents(statistics))) {
-    return "curved or joined thin walls";
-  }
-  return {};
 }
 
 }  // namespace
@@ -82,7 +69,7 @@ void report_pitch(const bodies::Preparation& ready,
           "body {}: pitch within about 5 cents up to {:.0f} Hz, 50 cents up to {:.0f} Hz, by the rules for even cells; "
           "`idiophone modes` estimates the error of each mode",
           ready.scene.bodies[b].name, limits->first, limits->second);
-    } else if (const auto kind = without_rules(ready.scene.bodies[b], ready.statistics[b])) {
+    } else if (const auto kind = advice::without_rules(ready.scene.bodies[b], ready.statistics[b])) {
       spdlog::info("body {}: there is no rule for the pitch of {}; `idiophone modes` estimates the error of each mode",
                    ready.scene.bodies[b].name, *kind);
     }

@@ -97,6 +97,14 @@ TEST_F(SoundMapFile, HasTheErrorOfTheMeshWhereItIsKnown) {
   EXPECT_THAT(contents::describe(path_), HasSubstr("up to 7.2 cents (mode 1), as estimated for 1 of 2 modes"));
 }
 
+TEST_F(SoundMapFile, OfABodyThatSwingsSaysTheErrorOfWhatCanBeHeard) {
+  SoundMap map = small_map();
+  map.frequency = {0.2, 200};
+  map.mesh_error = {-383, 12.5};
+  EXPECT_EQ(mesh_error_text(map),
+            "the mesh makes frequencies wrong by up to 12.5 cents (mode 2), as estimated for 1 of 2 modes");
+}
+
 TEST_F(SoundMapFile, OfAMembraneHasNoMaterial) {
   SoundMap map = small_map();
   map.material.reset();

@@ -1,23 +1,30 @@
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "idiophone/instruments/sound_maps/sound_map.hpp"
 
 namespace idiophone::sound_maps {
 
 std::string mesh_error_text(const SoundMap& map) {
-  const auto is_known = [](double error) { return !std::isnan(error); };
-  const auto known = std::ranges::count_if(map.mesh_error, is_known);
+  constexpr double lowest_audible = 20;  // Hz
+  std::size_t known = 0, largest = 0;
+  for (std::size_t mode = 0; mode < map.mesh_error.size(); ++mode) {
+    // Below are bodies that swing on soft supports, whose patches change with the mesh.
+    if (std::isnan(map.mesh_error[mode]) || map.frequency[mode] < lowest_audible) {
+      continue;
+    }
+    if (known++ == 0 || std::abs(map.mesh_error[mode]) > std::abs(map.mesh_error[largest])) {
+      largest = mode;
+    }
+  }
   if (known == 0) {
     return {};
   }
-  const auto size = [&](double error) { return is_known(error) ? std::abs(error) : 0.0; };
-  const auto largest = std::ranges::max_element(map.mesh_error, {}, size);
   return fmt::format(
       "the mesh makes frequencies wrong by up to {:.1f} cents (mode {}), as estimated for {} of {} modes",
-      std::abs(*largest), largest - map.mesh_error.begin() + 1, known, map.modes());
+      std::abs(map.mesh_error[largest]), largest + 1, known, map.modes());
 }
 
 }  // namespace idiophone::sound_maps

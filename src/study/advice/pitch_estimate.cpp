@@ -2,18 +2,22 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "idiophone/solids/eigenmodes/mesh_errors.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/mesh/refined.hpp"
 #include "idiophone/solids/motion/attachments.hpp"
+#include "idiophone/study/mode_kinds/mode_kinds.hpp"
 
 namespace idiophone::advice {
 
 std::optional<PitchEstimate> pitch_estimate(const scene::Scene& scene, std::size_t body, const mesh::Mesh& mesh) {
   constexpr double most_entries = 2e7;  // two seconds
-  constexpr int count = 4;
+  constexpr std::size_t count = 4;
+  const int on_springs = scene.bodies[body].supports.empty() ? 0 : 6;
   if (mesh::refined_entries(mesh) > most_entries) {
     return {};
   }
@@ -22,21 +26,29 @@ std::optional<PitchEstimate> pitch_estimate(const scene::Scene& scene, std::size
   const mesh::Part part = mesh::distribute(meshes, MPI_COMM_SELF);
   eigenmodes::Modes found;
   try {
-    found = eigenmodes::find_modes(alone, part, motion::attach(alone, meshes), {.count = count}, MPI_COMM_SELF);
+    found = eigenmodes::find_modes(alone, part, motion::attach(alone, meshes),
+                                   {.count = static_cast<int>(count) + on_springs}, MPI_COMM_SELF);
   } catch (const std::runtime_error&) {
     return {};  // held nearly everywhere; the run doesn't need its modes
   }
-  PitchEstimate result;
   std::vector<std::vector<double>> shapes;
   for (eigenmodes::Mode& mode : found.modes) {
-    result.frequencies.push_back(mode.frequency);
     shapes.push_back(std::move(mode.shape));
   }
   using eigenmodes::Estimates;
-  result.mesh_errors =
+  const std::vector<double> errors =
       eigenmodes::mesh_errors(alone, {mesh}, eigenmodes::MassMatrix::lumped, shapes, Estimates::all).cents;
-  if (std::ranges::any_of(result.mesh_errors, [](double error) { return std::isnan(error); })) {
+  if (std::ranges::any_of(errors, [](double error) { return std::isnan(error); })) {
     return {};  // a curved element can't be divided
+  }
+  // On soft supports, the lowest modes are nearly rigid motions, which have no pitch.
+  const std::vector<std::string> kinds = mode_kinds::kinds_of(mesh.nodes, shapes);
+  PitchEstimate result;
+  for (std::size_t mode = 0; mode < kinds.size() && result.frequencies.size() < count; ++mode) {
+    if (!kinds[mode].starts_with("rigid motion")) {
+      result.frequencies.push_back(found.modes[mode].frequency);
+      result.mesh_errors.push_back(errors[mode]);
+    }
   }
   return result;
 }

@@ -9,7 +9,7 @@
 
 namespace idiophone::advice {
 
-/// The lowest modes of a body.
+/// The lowest modes of a body that strain it: not its rigid motions on soft supports.
 struct PitchEstimate {
   std::vector<double> frequencies;  ///< [modes] Hz
   std::vector<double> mesh_errors;  ///< [modes] cents by which the mesh makes them too high (eigenmodes::mesh_errors())
