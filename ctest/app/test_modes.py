@@ -59,7 +59,8 @@ class Modes(program.TestCase):
         self.assertNotIn("by the rules", text)
 
     def test_check_estimates_the_vibrations_of_a_body_on_soft_supports(self):
-        supports = "bodies.plate.supports={cord: {at: [0.09, 0, 0.01], radius: 0.02, stiffness: 1}, string: {at: [0, 0.09, 0.01], stiffness: 1}}"
+        cords = "cord: {at: [0.09, 0, 0.01], radius: 0.02, stiffness: 1}, string: {at: [0, 0.09, 0.01], stiffness: 1}"
+        supports = f"bodies.plate.supports={{{cords}}}"
         words = program.deck("simple"), "--set", "bodies.plate.fixed=[]", "--set", supports, "--output-folder", self.output, "--json"
         job = program.idiophone("check", *words)
         self.require_status(job, program.FINISHED)

@@ -86,6 +86,17 @@ def test_runs_on_two_ranks_with_progress(simple, result, tmp_path):
     assert done == sorted(done) and done[-1] == 1
 
 
+def test_errors_on_two_ranks_have_no_notes_of_mpirun(simple, tmp_path):
+    simple["loads.tap.radius"] = 1e-6
+    with pytest.raises(idiophone.DeckError) as caught:
+        simple.run(tmp_path, ranks=2)
+    assert len(caught.value.mistakes) == 1 and "no surface node lies within" in str(caught.value)
+    simple["loads.tap.radius"] = 0
+    simple["bodies.plate.model"] = {"type": "modal", "count": 1}
+    with pytest.raises(idiophone.ProgramError, match=r"^idiophone: rank 0: 2 ranks are too many.*run on at most 1$"):
+        simple.run(tmp_path, ranks=2)
+
+
 def test_modes_are_those_of_the_program(simple):
     modes = simple.modes(count=4)
     assert len(modes) == 4 and modes.shape.shape == (4, len(modes.nodes), 3)

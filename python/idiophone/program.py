@@ -18,6 +18,8 @@ from .facts import Facts
 FINISHED, FAILED, WRONG_DECK, RESUMABLE = 0, 1, 2, 75  # statuses of the program
 STOP = signal.SIGUSR1  # mpirun passes it on to the ranks
 PROGRESS = re.compile(r"^\s*(\d+(?:\.\d+)?) %")
+# What mpirun adds to the words of a program that ends with an error: paragraphs between dashes, and lines "[host:process] ..."
+NOTES_OF_MPIRUN = re.compile(r"^-{20,}\n.*?^-{20,}$|^\[[^\]\n]*:\d+\][^\n]*$", re.MULTILINE | re.DOTALL)
 MPI = {  # as scripts/mpi_environment: more ranks than cores, root in containers, no threads in BLAS
     "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_btl_vader_single_copy_mechanism": "none",
     "OMPI_MCA_smsc": "^cma", "OMPI_MCA_btl_tcp_disable_family": "6", "OMPI_MCA_mpi_yield_when_idle": "1", "OMP_NUM_THREADS": "1",
@@ -83,14 +85,15 @@ def _call(arguments: Sequence[object], ranks: int = 1, progress: Progress | None
         raise
     finally:
         reader.join()
+    said = NOTES_OF_MPIRUN.sub("", errors[0]).strip() or errors[0].strip()
     if status == WRONG_DECK:
-        raise DeckError(mistakes_of(errors[0]))
+        raise DeckError(mistakes_of(said))
     if status == RESUMABLE or (stop and stop.is_set() and status != FINISHED):
-        raise Stopped(errors[0].strip() or "a signal stopped the run; resume=True goes on from its checkpoint")
+        raise Stopped(said or "a signal stopped the run; resume=True goes on from its checkpoint")
     is_judged = judges and status == FAILED and printed.strip()
     if status != FINISHED and not is_judged:
-        raise ProgramError(errors[0].strip() or printed.strip() or f"idiophone ended with status {status}")
-    return printed, errors[0]
+        raise ProgramError(said or printed.strip() or f"idiophone ended with status {status}")
+    return printed, said
 
 
 def _environment() -> dict[str, str]:
