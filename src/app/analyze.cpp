@@ -114,8 +114,9 @@ void warn_of_forces(const spectra::Sound& sound, const AnalyzeOptions& options) 
   }
   if (!acting.empty()) {
     spdlog::warn(
-        "{}: forces act in this part ({}), so the sound is no free decay: frequencies of the forces look like partials, "
-        "and levels and decay times of partials can be wrong. Choose a part without forces (--start, --duration)",
+        "{}: forces act in this part ({}), so the sound is no free decay: frequencies of the forces look like "
+        "partials, and levels and decay times of partials can be wrong. Choose a part without forces (--start, "
+        "--duration)",
         sound.name, fmt::join(acting, ", "));
   }
 }
