@@ -4,6 +4,7 @@
 
 #include "bars.hpp"
 #include "idiophone/study/fitting/identification.hpp"
+#include "long_verification.hpp"
 #include "material_fit.hpp"
 #include "ranks.hpp"
 
@@ -28,6 +29,7 @@ ON_RANKS(1);
 // The constants of a crystal of LiYF4 and its first lines. The block can only move by its 150 lowest modes, so that the
 // fits take some seconds. From the deck alone the search ends with other constants.
 TEST(OtherStarts, FindConstantsThatAreFarFromTheDeck) {
+  LONG_VERIFICATION();
   scene::Scene scene = bar_scene({0.0079244, 0.009952, 0.0086042}, 0.005, 4);
   scene.materials = {tetragonal({103.303, 69.3635, 58.592, 140.716, 40.8253, 17.3424, -8.16691})};
   const StrainedBody block = StrainedBody(scene, eigenmodes::MassMatrix::consistent).reduced(150);
