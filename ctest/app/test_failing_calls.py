@@ -87,7 +87,7 @@ class FailingCalls(program.TestCase):
         if job.returncode == program.FAILED:
             self.assertIn("idiophone: ", job.stderr)
 
-    def fail(self, command, rank, what, number):
+    def fail_one(self, command, rank, what, number):
         """Lets a call fail, and then finishes the work."""
         bits = self.begin(command)
         job = call(command, self.folder, FAILING_CALL=number, **self.kind(rank, what))
@@ -116,10 +116,10 @@ class Short(FailingCalls):
     def test_files(self):
         for command, rank, number in (("run", 0, 165), ("resume", 1, 100), ("map", 0, 20)):
             with self.subTest(command=command, rank=rank, number=number):
-                self.fail(command, rank, "files", number)
+                self.fail_one(command, rank, "files", number)
 
     def test_memory(self):
-        self.fail("run", 0, "memory", 66)
+        self.fail_one("run", 0, "memory", 66)
 
     @unittest.skipUnless(program.can_mount(), "may not mount file systems")
     def test_a_disk_with_one_free_page(self):
@@ -155,7 +155,7 @@ class Long(FailingCalls):
                     print(f"{command}, rank {rank}, {what}: {len(numbers)} calls", flush=True)
                     for number in numbers:
                         with self.subTest(command=command, rank=rank, what=what, number=number):
-                            self.fail(command, rank, what, number)
+                            self.fail_one(command, rank, what, number)
 
 
 if __name__ == "__main__":
