@@ -17,7 +17,8 @@
 
 namespace idiophone::bodies {
 
-/// All that a run, or a check, needs before the first step. The same on all ranks but for `part` and the shapes of modes.
+/// All that a run, or a check, needs before the first step. The same on all ranks but for `part` and the shapes of
+/// modes.
 struct Preparation {
   scene::Scene scene;
   mesh::Part part;                            ///< this rank's
