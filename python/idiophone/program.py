@@ -85,7 +85,7 @@ def _call(arguments: Sequence[object], ranks: int = 1, progress: Progress | None
         raise
     finally:
         reader.join()
-    said = NOTES_OF_MPIRUN.sub("", errors[0]).strip() or errors[0].strip()
+    said = _words_of_program(errors[0], status)
     if status == WRONG_DECK:
         raise DeckError(mistakes_of(said))
     if status == RESUMABLE or (stop and stop.is_set() and status != FINISHED):
@@ -94,6 +94,13 @@ def _call(arguments: Sequence[object], ranks: int = 1, progress: Progress | None
     if status != FINISHED and not is_judged:
         raise ProgramError(said or printed.strip() or f"idiophone ended with status {status}")
     return printed, said
+
+
+def _words_of_program(text: str, status: int) -> str:
+    """Without the notes of mpirun, where the program itself says why it ends. Otherwise they may be all that tells the cause."""
+    own = NOTES_OF_MPIRUN.sub("", text).strip()
+    is_told = status in (WRONG_DECK, RESUMABLE) or (status == FAILED and re.search("^idiophone: ", own, re.MULTILINE))
+    return own if own and is_told else text.strip()
 
 
 def _environment() -> dict[str, str]:

@@ -143,7 +143,7 @@ advice::RehearsedSample motion_alone(const bodies::Preparation& ready, double st
   if (parallel::is_root(MPI_COMM_WORLD)) {
     spdlog::warn(
         "the run does not fit into this memory, so its first moments were not played: its time is that of the "
-        "motion alone, without contact and sound");
+        "motion and contacts, without sound");
   }
   const double seconds = ready.steps_per_sample * step_seconds;
   return {.seconds = seconds, .motion = seconds};

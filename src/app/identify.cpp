@@ -123,8 +123,8 @@ void warn_of_the_density(const Identification& found) {
     spdlog::warn(
         "the mass was not measured: the moduli are those for the deck's density of {:.4g} kg/m3, with which the body "
         "weighs {:.4g} kg. They are proportional to it, and their intervals leave it out. Weigh the body, and give its "
-        "mass beside the lines, or its mass over {:.6g} m3 as density in the deck",
-        found.material.density, found.material.density * found.volume, found.volume);
+        "mass beside the lines",
+        found.material.density, found.material.density * found.volume);
   }
 }
 

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
+#include "idiophone/air/surface/equivalent_radius.hpp"
 #include "ranks.hpp"
 
 namespace idiophone::surface {
@@ -72,6 +74,50 @@ TEST(FacingTree, HasTheSumsOfAllTriangles) {
   EXPECT_LT(largest_error(ellipsoid({1.0, 1.0, 1.0})), most);
   EXPECT_LT(largest_error(ellipsoid({1.0, 0.7, 0.01})), most);  // both sides of a sheet
   EXPECT_LT(largest_error(ring()), most);                       // hollows see themselves
+}
+
+/// Triangles in a cube: most of them face one way, and some another that is nearly opposite. Both are nearest to the x
+/// axis.
+Triangles scattered() {
+  const Vector3 most = Vector3(1.1, 1, 1).normalized(), some = Vector3(1.1, -1, -1).normalized();
+  Triangles triangles;
+  for (int number = 0; number < 4000; ++number) {
+    const Vector3 place(std::fmod(0.7549 * number, 1.0), std::fmod(0.5698 * number, 1.0),
+                        std::fmod(0.3247 * number, 1.0));
+    const Vector3 normal = number % 20 == 0 ? some : most;
+    const Vector3 one = 0.01 * normal.unitOrthogonal();
+    triangles.push_back({place, place + one, place + normal.cross(one)});
+  }
+  return triangles;
+}
+
+TEST(FacingTree, FindsWhatFacesAnotherWayThanItsCluster) {
+  const Triangles surface = scattered();
+  const FacingTree tree(surface);
+  FacingColumns columns(surface.size());
+  for (std::size_t number = 0; number < surface.size(); ++number) {
+    columns.put(number, flat_piece(surface[number]));
+  }
+  for (const Vector3& normal : {Vector3(-1.1, -1, -1), Vector3(-1, -1, -1), Vector3(1, -2, -2), Vector3(1, 0, 0)}) {
+    const FlatPiece piece{Vector3(0.4, 0.5, 0.6), 1e-4 * normal.normalized()};
+    const double direct = columns.sum(piece, 0, columns.fours());
+    ASSERT_GT(direct, 0.0);
+    EXPECT_NEAR(tree.sum(piece), direct, 5e-3 * direct) << normal.transpose();
+  }
+}
+
+/// A sphere's is its radius.
+TEST(FacingTree, GivesTheRadiiOfLargeSurfaces) {
+  const Triangles sphere = surface_of(160, 180, [](double u, double v) -> Vector3 {
+    return {std::sin(pi * u) * std::cos(2 * pi * v), std::sin(pi * u) * std::sin(2 * pi * v), std::cos(pi * u)};
+  });
+  ASSERT_GT(sphere.size(), 50000U);
+  const std::vector<Index> which = {77, 12345, 40000};
+  const std::vector<double> radii = equivalent_radii(sphere, which);
+  ASSERT_EQ(radii.size(), which.size());
+  for (const double radius : radii) {
+    EXPECT_NEAR(radius, 1.0, 5e-3);
+  }
 }
 
 }  // namespace

@@ -100,7 +100,11 @@ void note_place(long call) {
   const std::size_t place = present_place();
   const std::lock_guard lock(places_mutex);
   const auto end = places.begin() + static_cast<std::ptrdiff_t>(place_count);
-  if (std::find(places.begin(), end, place) == end && place_count < most_places) {
+  if (std::find(places.begin(), end, place) == end) {
+    if (place_count == most_places) {
+      std::fputs("failing_calls: too many places\n", stderr);
+      std::_Exit(1);
+    }
     places[place_count] = place;
     first_calls[place_count++] = call;
   }

@@ -94,7 +94,7 @@ TEST_F(SoundMapFile, HasTheErrorOfTheMeshWhereItIsKnown) {
   ASSERT_EQ(read.mesh_error.size(), 2);
   EXPECT_EQ(read.mesh_error[0], -7.25);
   EXPECT_TRUE(std::isnan(read.mesh_error[1]));
-  EXPECT_THAT(contents::describe(path_), HasSubstr("up to 7.2 cents (mode 1), as estimated for 1 of 2 modes"));
+  EXPECT_THAT(contents::describe(path_), HasSubstr("up to 7.2 cents (mode 1), as estimated for 1 of 2 audible modes"));
 }
 
 TEST_F(SoundMapFile, OfABodyThatSwingsSaysTheErrorOfWhatCanBeHeard) {
@@ -102,7 +102,7 @@ TEST_F(SoundMapFile, OfABodyThatSwingsSaysTheErrorOfWhatCanBeHeard) {
   map.frequency = {0.2, 200};
   map.mesh_error = {-383, 12.5};
   EXPECT_EQ(mesh_error_text(map),
-            "the mesh makes frequencies wrong by up to 12.5 cents (mode 2), as estimated for 1 of 2 modes");
+            "the mesh makes frequencies wrong by up to 12.5 cents (mode 2), as estimated for 1 of 1 audible modes");
 }
 
 TEST_F(SoundMapFile, OfAMembraneHasNoMaterial) {

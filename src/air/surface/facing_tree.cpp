@@ -116,7 +116,7 @@ FacingTree::Cluster FacingTree::cluster_of(std::span<const FlatPiece> pieces, st
     cluster.second += share / area * way * way.transpose();
     cosine = std::min(cosine, cluster.axis.dot(pieces[member].area) / share);
   }
-  cluster.sine = std::sqrt(std::max(0.0, 1.0 - cosine * cosine));
+  cluster.sine = cosine < 0 ? 1.0 : std::sqrt(std::max(0.0, 1.0 - cosine * cosine));  // 1: may face any way
   cluster.doubtful = area * cluster.sine;
   return cluster;
 }

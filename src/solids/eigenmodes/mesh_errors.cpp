@@ -144,8 +144,14 @@ MeshErrors mesh_errors(const scene::Solids& solids, const std::vector<mesh::Mesh
 std::vector<double> spread_mesh_errors(const scene::Solids& solids, const std::vector<mesh::Mesh>& meshes,
                                        MassMatrix mass, std::span<const std::vector<double>> shapes) {
   constexpr std::size_t fewest = 4;
-  const std::size_t count = std::max(fewest, quick_modes(solids, meshes));
-  return estimates_of(solids, meshes, mass, shapes, spread_numbers(shapes.size(), count), {}).cents;
+  const std::size_t quick = quick_modes(solids, meshes);
+  std::vector<std::size_t> chosen;
+  if (quick > 0) {
+    chosen = spread_numbers(shapes.size(), std::max(fewest, quick));
+  }
+  std::vector<double> errors = estimates_of(solids, meshes, mass, shapes, chosen, {}).cents;
+  errors.resize(shapes.size(), std::numeric_limits<double>::quiet_NaN());
+  return errors;
 }
 
 std::string why_no_estimates(const scene::Solids& solids) {

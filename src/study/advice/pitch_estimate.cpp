@@ -15,7 +15,7 @@
 namespace idiophone::advice {
 
 std::optional<PitchEstimate> pitch_estimate(const scene::Scene& scene, std::size_t body, const mesh::Mesh& mesh) {
-  constexpr double most_entries = 2e7;  // two seconds
+  constexpr double most_entries = 2e7;  // two seconds, or four on supports
   constexpr std::size_t count = 4;
   const int on_springs = scene.bodies[body].supports.empty() ? 0 : 6;
   if (mesh::refined_entries(mesh) > most_entries) {
@@ -38,9 +38,6 @@ std::optional<PitchEstimate> pitch_estimate(const scene::Scene& scene, std::size
   using eigenmodes::Estimates;
   const std::vector<double> errors =
       eigenmodes::mesh_errors(alone, {mesh}, eigenmodes::MassMatrix::lumped, shapes, Estimates::all).cents;
-  if (std::ranges::any_of(errors, [](double error) { return std::isnan(error); })) {
-    return {};  // a curved element can't be divided
-  }
   // On soft supports, the lowest modes are nearly rigid motions, which have no pitch.
   const std::vector<std::string> kinds = mode_kinds::kinds_of(mesh.nodes, shapes);
   PitchEstimate result;
@@ -49,6 +46,9 @@ std::optional<PitchEstimate> pitch_estimate(const scene::Scene& scene, std::size
       result.frequencies.push_back(found.modes[mode].frequency);
       result.mesh_errors.push_back(errors[mode]);
     }
+  }
+  if (std::ranges::any_of(result.mesh_errors, [](double error) { return std::isnan(error); })) {
+    return {};  // a curved element can't be divided
   }
   return result;
 }

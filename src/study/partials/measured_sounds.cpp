@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
+#include <span>
 
 #include "idiophone/foundation/spectra/sound_file.hpp"
 #include "idiophone/run/results/series_reader.hpp"
@@ -56,15 +57,22 @@ std::optional<double> last_change(const results::SeriesReader& reader, const spe
   return {};
 }
 
-/// The last time of a value that is not zero, s.
-std::optional<double> last_value(const results::SeriesReader& reader, const spectra::Series& series, const Rows& rows) {
+/// The last time of a force that is not zero, s; none of a force that acts in all rows, as under a body that stands.
+std::optional<double> last_touch(const results::SeriesReader& reader, const spectra::Series& series, const Rows& rows) {
   const std::vector<double> values = reader.read(series, rows.first, rows.count);
-  for (std::size_t i = values.size(); i-- > 0;) {
-    if (values[i] != 0) {
-      return static_cast<double>(rows.first + static_cast<std::int64_t>(i / series.columns.size())) / series.rate;
+  const std::size_t width = series.columns.size();
+  std::int64_t touched = 0, last = 0;
+  for (std::int64_t row = 0; row < rows.count; ++row) {
+    const std::span force = std::span(values).subspan(static_cast<std::size_t>(row) * width, width);
+    if (std::ranges::any_of(force, [](double value) { return value != 0; })) {
+      ++touched;
+      last = row;
     }
   }
-  return {};
+  if (touched == 0 || touched == rows.count) {
+    return {};
+  }
+  return static_cast<double>(rows.first + last) / series.rate;
 }
 
 }  // namespace
@@ -114,7 +122,7 @@ std::vector<ActingForce> acting_forces(const std::filesystem::path& result, doub
         acting.push_back({"loads", *until});
       }
     } else if (series.path.starts_with(contacts) && series.path.ends_with(force)) {
-      if (const auto until = last_value(reader, series, rows)) {
+      if (const auto until = last_touch(reader, series, rows)) {
         const std::size_t length = series.path.size() - contacts.size() - force.size();
         acting.push_back({"contact " + series.path.substr(contacts.size(), length), *until});
       }

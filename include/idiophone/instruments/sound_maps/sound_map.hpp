@@ -102,7 +102,7 @@ struct SoundMap {
 };
 
 /// Of the errors that the mesh makes, the largest, for people: "the mesh makes frequencies wrong by up to 12 cents
-/// (mode 3), as estimated for 20 of 40 modes"; empty if none is known. Modes below 20 Hz do not count.
+/// (mode 3), as estimated for 20 of 40 audible modes"; empty if none is known. Audible are those from 20 Hz on.
 [[nodiscard]] std::string mesh_error_text(const SoundMap& map);
 
 }  // namespace idiophone::sound_maps

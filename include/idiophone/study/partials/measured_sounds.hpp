@@ -33,7 +33,7 @@ struct ActingForce {
 };
 
 /// What acts on the bodies from `start` to `end` (s), so that they do not vibrate freely: pulses, winds, bows and
-/// driven groups, by the work that they do (where the result has energies), and contacts.
+/// driven groups, by the work that they do (where the result has energies), and contacts that open or close.
 [[nodiscard]] std::vector<ActingForce> acting_forces(const std::filesystem::path& result, double start, double end);
 
 }  // namespace idiophone::partials
