@@ -117,7 +117,7 @@ void warn_of_refused_sizes(const Identification& found) {
 /// Lines tell moduli over the density alone. Says which density they are for where the body was not weighed.
 void warn_of_the_density(const Identification& found) {
   const auto is_modulus = [](const IdentifiedConstant& constant) {
-    return !constant.name.starts_with("poisson") && !constant.name.starts_with("turn");
+    return constant.determined && !constant.name.starts_with("poisson") && !constant.name.starts_with("turn");
   };
   if (std::ranges::any_of(found.constants, is_modulus)) {
     spdlog::warn(

@@ -69,7 +69,8 @@ TEST(Doubts, AreOfResidualsBeyondChance) {
   ASSERT_EQ(beyond.doubts.size(), 1U);
   EXPECT_THAT(beyond.doubts[0], HasSubstr("4.9 cents away from their modes"));
   EXPECT_THAT(beyond.doubts[0], HasSubstr("8 degrees of freedom"));
-  EXPECT_THAT(beyond.doubts[0], HasSubstr("uncertainties 1.8 times as large explain the distances"));
+  EXPECT_THAT(beyond.doubts[0],
+              HasSubstr("uncertainties and errors of the mesh 1.8 times as large explain the distances"));
 }
 
 TEST(Doubts, AreNotOfResidualsThatTheMeshExplains) {

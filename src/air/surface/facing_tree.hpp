@@ -11,8 +11,8 @@
 
 namespace idiophone::surface {
 
-/// The work of a sum grows as the logarithm of the number of triangles. On ellipsoids and a ring, the error is below
-/// 5e-4 of the sum.
+/// The work of a sum grows as the logarithm of the number of triangles. On the bodies of the test, the error is below
+/// 1e-3 of the sum.
 class FacingTree {
  public:
   /// @param surface  all triangles of a body, three corners each, m; each has an area

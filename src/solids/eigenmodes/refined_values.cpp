@@ -70,7 +70,8 @@ struct Block {
   Matrix mass;
 };
 
-/// The lowest eigenvalues within a space, and their vectors as combinations, of unit modal mass.
+/// The lowest eigenvalues within a space, and their vectors as combinations, of unit modal mass. There are fewer where
+/// vectors of the space depend on each other.
 struct Ritz {
   Eigen::VectorXd values;
   Matrix combinations;
@@ -81,12 +82,13 @@ Ritz ritz(const Block& space, Eigen::Index count) {
   const Matrix mass = space.vectors.transpose() * space.mass;
   const Eigen::VectorXd scale = mass.diagonal().cwiseSqrt().cwiseInverse();
   const auto [lengths, axes] = dense::eigenpairs(Matrix(scale.asDiagonal() * mass * scale.asDiagonal()));
-  const auto kept = (lengths.array() > dependent).count();
+  const Eigen::Index kept = (lengths.array() > dependent).count();
   const Matrix basis =
       scale.asDiagonal() * axes.rightCols(kept) * lengths.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
   const Matrix stiffness = basis.transpose() * (space.vectors.transpose() * space.stiffness) * basis;
   const auto [values, turned] = dense::eigenpairs(stiffness);
-  return {values.head(count), basis * turned.leftCols(count)};
+  const Eigen::Index found = std::min(count, kept);
+  return {values.head(found), basis * turned.leftCols(found)};
 }
 
 /// Takes out of vectors what is known: K M-orthonormal vectors.

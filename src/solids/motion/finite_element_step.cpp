@@ -38,7 +38,7 @@ PetscErrorCode apply_operator(Mat matrix, Vec in, Vec out) {
 }
 
 /// How many vectors the search keeps. Most of the memory is theirs, so large bodies have 8 instead of SLEPc's 16, and
-/// half as many more products with the matrix.
+/// about 1.6 times as many products with the matrix.
 PetscInt kept_vectors(PetscInt components) {
   constexpr PetscInt many = 15'000'000;
   return components < many ? PETSC_DEFAULT : 8;

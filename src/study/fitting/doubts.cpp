@@ -69,8 +69,9 @@ void doubt_large_residuals(Identification& result) {
         "the fitted lines are {:.1f} cents away from their modes, and their uncertainties are {:.1f} and the errors of "
         "the mesh {:.1f} (root mean squares). Chi-squared is {:.1f}, with {} degrees of freedom; in 999 of 1000 right "
         "fits it is below {:.1f}. The search may have ended in a wrong minimum: begin with other values in the deck. "
-        "Or the lines, or the size and the mass of the body, are less exact than stated: uncertainties {:.1f} times as "
-        "large explain the distances",
+        "Or the lines, or the size and the mass of the body, are less exact than stated: uncertainties and errors of "
+        "the mesh "
+        "{:.1f} times as large explain the distances",
         *result.fitted_rms, uncertainty, mesh_error, result.chi_squared, result.freedom, limit,
         std::sqrt(result.chi_squared / result.freedom)));
   } else if (times_uncertainty > most_uncertainties) {

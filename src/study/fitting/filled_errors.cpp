@@ -6,17 +6,19 @@
 namespace idiophone::fitting {
 
 std::vector<double> filled_errors(std::vector<double> errors) {
-  double largest = 0.0;
+  double below = 0.0;
   for (auto error = errors.begin(); error != errors.end(); ++error) {
     if (!std::isnan(*error)) {
-      largest = std::max(largest, *error);
+      below = *error;
       continue;
     }
-    const auto next = std::find_if(error, errors.end(), [](double other) { return !std::isnan(other); });
-    if (next == errors.end()) {
+    const auto above = std::find_if(error, errors.end(), [](double other) { return !std::isnan(other); });
+    if (above == errors.end()) {
       break;
     }
-    *error = std::max(largest, *next);
+    std::fill(error, above, std::max(below, *above));
+    error = above;
+    below = *above;
   }
   return errors;
 }

@@ -10,7 +10,7 @@
 
 namespace idiophone::surface {
 
-/// Larger surfaces are summed in clusters of triangles, which changes radii by less than 5e-4 of them.
+/// Larger surfaces are summed in clusters of triangles, which changes radii by less than 1e-3 of them.
 inline constexpr std::size_t most_summed_directly = 50'000;
 
 /// Radius of the sphere that carries along, where it moves to and fro, as much air as the surface does about each

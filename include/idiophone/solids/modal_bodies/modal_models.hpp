@@ -17,7 +17,7 @@ namespace idiophone::modal_bodies {
 /// Rank 0's bases, on every rank, but for their shapes, which stay on rank 0. Collective.
 [[nodiscard]] ModalBases broadcast(ModalBases bases, MPI_Comm communicator);
 
-/// Moves the shapes from rank 0 to the ranks that have the bodies: no other has them then. Collective.
+/// Moves the shapes from rank 0 to the ranks that have the bodies. Afterwards, no other rank has them. Collective.
 /// @param bases  from broadcast()
 /// @param part   of this rank; one rank has all of each body
 void move_shapes(ModalBases& bases, const mesh::Part& part, MPI_Comm communicator);

@@ -14,8 +14,9 @@ struct RehearsedSample {
 };
 
 /// Advances bodies and air as a run does, for some tenths of a second. Where the steps of one audio sample take longer,
-/// some of them stand for all, unless the air acts on the bodies in each. Collective.
-/// @param step_seconds  processor time of a step, s
+/// fewer are played between reads of the surface, unless the air acts on the bodies in each: the times are those of a
+/// run, the sound is not. Collective.
+/// @param step_seconds  processor time of a step on one rank, s
 /// @throws std::runtime_error where the run would fail
 [[nodiscard]] RehearsedSample rehearse(const bodies::Preparation& ready, double step_seconds, MPI_Comm communicator);
 
