@@ -126,7 +126,7 @@ TEST(FacingTree, GivesTheRadiiOfLargeSurfaces) {
   const std::vector<double> radii = equivalent_radii(sphere, which);
   ASSERT_EQ(radii.size(), which.size());
   for (const double radius : radii) {
-    EXPECT_NEAR(radius, 1.0, 5e-3);
+    EXPECT_NEAR(radius, 1.0, 0.01);
   }
 }
 
