@@ -47,6 +47,7 @@ int main(int count, char** arguments) {
   options.rate = rate;
   options.most_strokes = 4;
   if (idiophone_measured_speed(&options.speed) != IDIOPHONE_OK) return fail();
+  if (options.speed < 1.0) options.speed = 1.0; /* a busy machine would leave the proxy out */
   if (count < 3 || idiophone_map_read(arguments[1], &map) != IDIOPHONE_OK) return fail();
   if (idiophone_proxy_read(arguments[1], &proxy) != IDIOPHONE_BAD_FILE || proxy != NULL) return 4;
   if (idiophone_proxy_read(arguments[2], &proxy) != IDIOPHONE_OK) return fail();
