@@ -36,8 +36,8 @@ Triangles surface_of(int across, int along, const Place& place) {
   return triangles;
 }
 
-Triangles ellipsoid(const Vector3& axes) {
-  return surface_of(60, 120, [&](double u, double v) -> Vector3 {
+Triangles ellipsoid(const Vector3& axes, int across = 60, int along = 120) {
+  return surface_of(across, along, [&](double u, double v) -> Vector3 {
     const Vector3 direction(std::sin(pi * u) * std::cos(2 * pi * v), std::sin(pi * u) * std::sin(2 * pi * v),
                             std::cos(pi * u));
     return direction.cwiseProduct(axes);
@@ -63,10 +63,7 @@ Triangles slanted_plate() {
 /// The largest difference from the direct sum, relative to it.
 double largest_error(const Triangles& surface) {
   const FacingTree tree(surface);
-  FacingColumns columns(surface.size());
-  for (std::size_t number = 0; number < surface.size(); ++number) {
-    columns.put(number, flat_piece(surface[number]));
-  }
+  const FacingColumns columns = columns_of(surface);
   double largest = 0.0;
   for (std::size_t number = 0; number < surface.size(); number += 7) {
     const FlatPiece piece = flat_piece(surface[number]);
@@ -104,10 +101,7 @@ Triangles scattered() {
 TEST(FacingTree, FindsWhatFacesAnotherWayThanItsCluster) {
   const Triangles surface = scattered();
   const FacingTree tree(surface);
-  FacingColumns columns(surface.size());
-  for (std::size_t number = 0; number < surface.size(); ++number) {
-    columns.put(number, flat_piece(surface[number]));
-  }
+  const FacingColumns columns = columns_of(surface);
   for (const Vector3& normal : {Vector3(-1.1, -1, -1), Vector3(-1, -1, -1), Vector3(1, -2, -2), Vector3(1, 0, 0)}) {
     const FlatPiece piece{Vector3(0.4, 0.5, 0.6), 1e-4 * normal.normalized()};
     const double direct = columns.sum(piece, 0, columns.fours());
@@ -118,9 +112,7 @@ TEST(FacingTree, FindsWhatFacesAnotherWayThanItsCluster) {
 
 /// A sphere's is its radius.
 TEST(FacingTree, GivesTheRadiiOfLargeSurfaces) {
-  const Triangles sphere = surface_of(160, 180, [](double u, double v) -> Vector3 {
-    return {std::sin(pi * u) * std::cos(2 * pi * v), std::sin(pi * u) * std::sin(2 * pi * v), std::cos(pi * u)};
-  });
+  const Triangles sphere = ellipsoid({1.0, 1.0, 1.0}, 160, 180);
   ASSERT_GT(sphere.size(), 50000U);
   const std::vector<Index> which = {77, 12345, 40000};
   const std::vector<double> radii = equivalent_radii(sphere, which);

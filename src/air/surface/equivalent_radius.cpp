@@ -35,10 +35,7 @@ std::vector<double> equivalent_radii(std::span<const std::array<Vector3, 3>> sur
     const FacingTree tree(surface);
     return radii_of(surface, which, [&](const FlatPiece& piece) { return tree.sum(piece); });
   }
-  FacingColumns columns(surface.size());
-  for (std::size_t number = 0; number < surface.size(); ++number) {
-    columns.put(number, flat_piece(surface[number]));
-  }
+  const FacingColumns columns = columns_of(surface);
   return radii_of(surface, which, [&](const FlatPiece& piece) { return columns.sum(piece, 0, columns.fours()); });
 }
 

@@ -46,4 +46,12 @@ double FacingColumns::sum(const FlatPiece& one, std::size_t begin, std::size_t e
   return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
+FacingColumns columns_of(std::span<const std::array<Vector3, 3>> surface) {
+  FacingColumns columns(surface.size());
+  for (std::size_t number = 0; number < surface.size(); ++number) {
+    columns.put(number, flat_piece(surface[number]));
+  }
+  return columns;
+}
+
 }  // namespace idiophone::surface

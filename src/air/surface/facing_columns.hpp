@@ -38,4 +38,7 @@ class FacingColumns {
   std::vector<VectorLanes> area_;    ///< times the normal, m2
 };
 
+/// All triangles of a surface in their order, three corners each, m.
+[[nodiscard]] FacingColumns columns_of(std::span<const std::array<Vector3, 3>> surface);
+
 }  // namespace idiophone::surface

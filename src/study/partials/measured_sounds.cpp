@@ -8,6 +8,7 @@
 #include <numbers>
 #include <optional>
 #include <span>
+#include <string>
 
 #include "idiophone/foundation/spectra/sound_file.hpp"
 #include "idiophone/run/results/series_reader.hpp"
@@ -27,6 +28,14 @@ double largest_turn(const std::vector<double>& quaternions) {
     least = std::min(least, std::abs(product));
   }
   return 2 * std::acos(least) * 180 / std::numbers::pi;
+}
+
+/// What a path has between two texts that it begins and ends with.
+std::optional<std::string> between(const std::string& path, const std::string& before, const std::string& after) {
+  if (!path.starts_with(before) || !path.ends_with(after)) {
+    return {};
+  }
+  return path.substr(before.size(), path.size() - before.size() - after.size());
 }
 
 /// Rows of a series.
@@ -95,36 +104,28 @@ std::vector<spectra::Sound> read_sounds(const std::filesystem::path& path) {
 }
 
 std::vector<TurnedBody> turned_bodies(const std::filesystem::path& result, double start, double end) {
-  const std::string motion = "/motion/";
-  const std::string orientation = "/orientation";
   const results::SeriesReader reader(result);
   std::vector<TurnedBody> bodies;
   for (const spectra::Series& series : reader.all()) {
-    if (!series.path.starts_with(motion) || !series.path.ends_with(orientation)) {
-      continue;
+    if (const auto body = between(series.path, "/motion/", "/orientation")) {
+      const Rows rows = rows_between(reader, series, start, end);
+      bodies.push_back({*body, largest_turn(reader.read(series, rows.first, rows.count))});
     }
-    const Rows rows = rows_between(reader, series, start, end);
-    const std::string body = series.path.substr(motion.size(), series.path.size() - motion.size() - orientation.size());
-    bodies.push_back({body, largest_turn(reader.read(series, rows.first, rows.count))});
   }
   return bodies;
 }
 
 std::vector<ActingForce> acting_forces(const std::filesystem::path& result, double start, double end) {
-  const std::string contacts = "/contacts/";
-  const std::string force = "/force";
   const results::SeriesReader reader(result);
   std::vector<ActingForce> acting;
   for (const spectra::Series& series : reader.all()) {
-    const Rows rows = rows_between(reader, series, start, end);
     if (series.path == "/energy") {
-      if (const auto until = last_change(reader, series, "work", rows)) {
+      if (const auto until = last_change(reader, series, "work", rows_between(reader, series, start, end))) {
         acting.push_back({"loads", *until});
       }
-    } else if (series.path.starts_with(contacts) && series.path.ends_with(force)) {
-      if (const auto until = last_touch(reader, series, rows)) {
-        const std::size_t length = series.path.size() - contacts.size() - force.size();
-        acting.push_back({"contact " + series.path.substr(contacts.size(), length), *until});
+    } else if (const auto contact = between(series.path, "/contacts/", "/force")) {
+      if (const auto until = last_touch(reader, series, rows_between(reader, series, start, end))) {
+        acting.push_back({"contact " + *contact, *until});
       }
     }
   }
