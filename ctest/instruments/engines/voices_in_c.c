@@ -24,11 +24,6 @@ static idiophone_contact contact_of(int body, int step) {
   contact.bodies[0] = body;
   contact.bodies[1] = IDIOPHONE_NOBODY;
   contact.mass = 0.01;
-  if (body != 0) { /* where the deck taps the plate: on its upper side, as forces only push */
-    contact.point[0] = 0.04;
-    contact.point[1] = 0.03;
-    contact.point[2] = 0.01;
-  }
   return contact;
 }
 

@@ -150,6 +150,17 @@ TEST(Lattice, SharesAForceInverselyToTheDistances) {
   EXPECT_NEAR(*std::ranges::max_element(corner.shares), 1.0, 1e-6);
 }
 
+/// A ray in the middle plane ends at the rim, which may be pinned: the impact would be lost.
+TEST(Lattice, AForceInTheMiddlePlaneOfAPlateActsNearItsPoint) {
+  const Lattice lattice(box({0.2, 0.2, 0.01}, {4, 4, 1}), rubber);
+  for (const double along : {0.1, 0.101, 0.09}) {  // 0.1: the centre of mass, from which no ray has a direction
+    const Contact contact = lattice.contact_at({along, 0.1, 0.005});
+    for (std::size_t i = 0; i < 3; ++i) {
+      EXPECT_LT((lattice.mesh().nodes[contact.masses[i]] - Vector3(0.1, 0.1, 0.005)).norm(), 0.006) << along;
+    }
+  }
+}
+
 TEST(Lattice, DampingGivesTwoDecayTimes) {
   const Damping damping = damping_for({200.0, 2000.0}, {1.0, 0.1});
   for (const auto& [frequency, t60] : {std::pair(200.0, 1.0), std::pair(2000.0, 0.1)}) {

@@ -233,17 +233,14 @@ Lattice::Lattice(TetrahedralMesh mesh, const Material& material, std::span<const
 
 Contact Lattice::contact_at(const Vector3& point) const {
   const Vector3 direction = point - inertia_.centre;
-  double nearest = std::numeric_limits<double>::infinity();
+  double nearest = std::numeric_limits<double>::infinity();  // m, from the point
   Contact contact;
   for (const auto& triangle : mesh_.surface) {
-    const double distance = distance_to_triangle(inertia_.centre, direction, corners_of(mesh_, triangle));
-    if (distance >= 0.0 && std::abs(distance - 1.0) < nearest) {
-      nearest = std::abs(distance - 1.0);
-      contact = shared_by_distance(mesh_, triangle, inertia_.centre + distance * direction);
+    const double way = distance_to_triangle(inertia_.centre, direction, corners_of(mesh_, triangle));
+    if (const double distance = std::abs(way - 1.0) * direction.norm(); way >= 0.0 && distance < nearest) {
+      nearest = distance;
+      contact = shared_by_distance(mesh_, triangle, inertia_.centre + way * direction);
     }
-  }
-  if (nearest < std::numeric_limits<double>::infinity()) {
-    return contact;
   }
   for (const auto& triangle : mesh_.surface) {
     for (const Index node : triangle) {

@@ -17,7 +17,8 @@ function stableSteps(largest, {mass, stiffness}, interval) {
 }
 
 /// What a blow does to each mass of a level for a force of 1 N, [3 x masses] N: shares at the triangle where the ray from
-/// the centre through the place leaves the surface; on a free body, less the forces that would move it rigidly.
+/// the centre through the place leaves the surface, or at a mass that is nearer; on a free body, less the forces that would
+/// move it rigidly.
 function loadsOn(level, place, direction) {
   const node = i => [level.nodes[3 * i], level.nodes[3 * i + 1], level.nodes[3 * i + 2]];
   const ray = minus(place, level.centre);
@@ -27,18 +28,21 @@ function loadsOn(level, place, direction) {
     const first = minus(b, a), second = minus(c, a), normal = cross(first, second);
     const towards = dot(ray, normal);
     const distance = towards ? dot(minus(a, level.centre), normal) / towards : -1;
-    if (distance < 0 || Math.abs(distance - 1) >= best) continue;
+    const apart = Math.abs(distance - 1) * Math.hypot(...ray);
+    if (distance < 0 || !(apart < best)) continue;
     const at = [0, 1, 2].map(axis => level.centre[axis] + distance * ray[axis]);
     const way = minus(at, a), square = dot(normal, normal);
     const v = dot(cross(way, second), normal) / square, w = dot(cross(first, way), normal) / square;
     if (v < -1e-9 || w < -1e-9 || v + w > 1 + 1e-9) continue;
-    best = Math.abs(distance - 1);
+    best = apart;
     corners = ids;
     shares = [a, b, c].map(corner => 1 / Math.max(Math.hypot(...minus(corner, at)), 1e-300));
   }
-  if (!corners) {  // the ray misses: the nearest mass
-    const distances = Array.from(level.surface, i => Math.hypot(...minus(node(i), place)));
-    corners = [level.surface[distances.indexOf(Math.min(...distances))]];
+  for (const i of level.surface) {
+    const apart = Math.hypot(...minus(node(i), place));
+    if (apart >= best) continue;
+    best = apart;
+    corners = [i];
     shares = [1];
   }
   const sum = shares.reduce((a, b) => a + b), loads = new Float64Array(level.nodes.length);
