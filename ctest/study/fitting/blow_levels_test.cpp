@@ -27,7 +27,7 @@ scene::Scene struck_bar(double force, double thickness = 0.01) {
   scene.materials[0].damping.mass = 20;
   scene.bodies[0].where = {"bar.yaml", 4, 3};
   scene.time.duration = 0.5;
-  scene.audio.max_frequency = 3000;
+  scene.audio.max_frequency = 2000;
   scene::Listener& listener = scene.listeners.emplace_back();
   listener.receivers.push_back({.channel = "ear", .position = {0.1, 0, 0.5}});
   scene::ForcePulse& tap = scene.pulses.emplace_back();
