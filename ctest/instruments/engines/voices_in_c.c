@@ -50,8 +50,12 @@ int main(int count, char** arguments) {
   if (count < 3 || idiophone_map_read(arguments[1], &map) != IDIOPHONE_OK) return fail();
   if (idiophone_proxy_read(arguments[1], &proxy) != IDIOPHONE_BAD_FILE || proxy != NULL) return 4;
   if (idiophone_proxy_read(arguments[2], &proxy) != IDIOPHONE_OK) return fail();
+  options.ear_count = INT32_MAX; /* beyond the end of the list, which must not be read */
+  if (idiophone_stage_create(&options, NULL, 0, &steel, 1, &stage) != IDIOPHONE_BAD_ARGUMENT || stage != NULL) return 7;
+  options.ear_count = 1;
   if (idiophone_stage_create(&options, (const idiophone_map* const*)&map, 1, &steel, 1, &stage) != IDIOPHONE_OK)
     return fail();
+  if (idiophone_stage_listen(stage, ears, INT32_MAX) != IDIOPHONE_BAD_ARGUMENT) return 8;
   if (idiophone_stage_add(stage, map, &joined) != IDIOPHONE_OK || joined != 1) return fail();
   if (idiophone_stage_add_proxy(stage, proxy, &sprung) != IDIOPHONE_OK || sprung != 2) return fail();
   if (idiophone_stage_tune(stage, sprung, 1.5, 1.0, 1.0) != IDIOPHONE_OK) return fail();

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <new>
 #include <stdexcept>
@@ -11,6 +13,7 @@
 
 #include "idiophone/instruments/engines/engine_stage.hpp"
 #include "idiophone/voices.h"
+#include "stage_checks.hpp"
 
 struct idiophone_map {
   idiophone::engines::SharedMap map;
@@ -59,7 +62,7 @@ idiophone_status answer(idiophone_status otherwise, const Function& function) no
 }
 
 /// @throws std::invalid_argument for a null pointer
-void require(const void* pointer, const std::string& name) {
+void require_given(const void* pointer, const std::string& name) {
   if (pointer == nullptr) {
     throw std::invalid_argument(name + " is null");
   }
@@ -77,12 +80,18 @@ Triple triple_at(const double* numbers) {
   return {numbers[0], numbers[1], numbers[2]};
 }
 
-std::vector<Triple> triples_at(const double* numbers, std::size_t count) {
-  std::vector<Triple> triples;
-  for (std::size_t i = 0; i < count; ++i) {
-    triples.push_back(triple_at(numbers + 3 * i));
+/// Their number is checked before they are read: a wrong one leads beyond the end of the list.
+/// @throws std::invalid_argument for a number that is not from `least` to `most`
+std::vector<Triple> ears_at(const double* numbers, int32_t count, std::size_t least, std::size_t most) {
+  if (count < static_cast<std::int64_t>(least) || count > static_cast<std::int64_t>(most)) {
+    throw std::invalid_argument(least == most ? fmt::format("the stage has {} ears, not {}", most, count)
+                                              : fmt::format("`ear_count` is {}, not {} to {}", count, least, most));
   }
-  return triples;
+  std::vector<Triple> ears;
+  for (std::int32_t i = 0; i < count; ++i) {
+    ears.push_back(triple_at(numbers + 3 * static_cast<std::ptrdiff_t>(i)));
+  }
+  return ears;
 }
 
 Surface surface_of(const idiophone_surface& surface) {
@@ -97,9 +106,9 @@ Surface surface_of(const idiophone_surface& surface) {
 }
 
 StageOptions options_of(const idiophone_options& options) {
-  require(options.ears, "`ears` of the options");
+  require_given(options.ears, "`ears` of the options");
   StageOptions found{.rate = options.rate,
-                     .ears = triples_at(options.ears, count_of(options.ear_count, "`ear_count`")),
+                     .ears = ears_at(options.ears, options.ear_count, 1, most_channels),
                      .latency = options.latency,
                      .most_strokes = count_of(options.most_strokes, "`most_strokes`"),
                      .seed = options.seed};
@@ -143,15 +152,15 @@ const char* idiophone_message() {
 
 idiophone_status idiophone_measured_speed(double* speed) {
   return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
-    require(speed, "the speed");
+    require_given(speed, "the speed");
     *speed = measured_speed();
   });
 }
 
 idiophone_status idiophone_map_read(const char* file, idiophone_map** map) {
   return answer(IDIOPHONE_BAD_FILE, [&] {
-    require(file, "the file's name");
-    require(map, "the map");
+    require_given(file, "the file's name");
+    require_given(map, "the map");
     *map = nullptr;
     *map = new idiophone_map{read_map(std::filesystem::path(file))};
   });
@@ -159,8 +168,8 @@ idiophone_status idiophone_map_read(const char* file, idiophone_map** map) {
 
 idiophone_status idiophone_map_from_bytes(const void* bytes, uint64_t size, idiophone_map** map) {
   return answer(IDIOPHONE_BAD_FILE, [&] {
-    require(bytes, "the bytes");
-    require(map, "the map");
+    require_given(bytes, "the bytes");
+    require_given(map, "the map");
     *map = nullptr;
     *map = new idiophone_map{read_map({static_cast<const char*>(bytes), size}, "a voice in memory")};
   });
@@ -172,8 +181,8 @@ void idiophone_map_free(idiophone_map* map) {
 
 idiophone_status idiophone_proxy_read(const char* file, idiophone_proxy** proxy) {
   return answer(IDIOPHONE_BAD_FILE, [&] {
-    require(file, "the file's name");
-    require(proxy, "the proxy");
+    require_given(file, "the file's name");
+    require_given(proxy, "the proxy");
     *proxy = nullptr;
     *proxy = new idiophone_proxy{read_proxy(std::filesystem::path(file))};
   });
@@ -181,8 +190,8 @@ idiophone_status idiophone_proxy_read(const char* file, idiophone_proxy** proxy)
 
 idiophone_status idiophone_proxy_from_bytes(const void* bytes, uint64_t size, idiophone_proxy** proxy) {
   return answer(IDIOPHONE_BAD_FILE, [&] {
-    require(bytes, "the bytes");
-    require(proxy, "the proxy");
+    require_given(bytes, "the bytes");
+    require_given(proxy, "the proxy");
     *proxy = nullptr;
     *proxy = new idiophone_proxy{read_proxy({static_cast<const char*>(bytes), size}, "a proxy in memory")};
   });
@@ -196,16 +205,16 @@ idiophone_status idiophone_stage_create(const idiophone_options* options, const 
                                         int32_t body_count, const idiophone_surface* surfaces, int32_t surface_count,
                                         idiophone_stage** stage) {
   return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
-    require(stage, "the stage");
+    require_given(stage, "the stage");
     *stage = nullptr;
-    require(options, "the options");
+    require_given(options, "the options");
     if (body_count != 0) {
-      require(bodies, "the list of bodies");
+      require_given(bodies, "the list of bodies");
     }
-    require(surfaces, "the list of surfaces");
+    require_given(surfaces, "the list of surfaces");
     std::vector<SharedMap> maps;
     for (std::size_t i = 0; i < count_of(body_count, "the number of bodies"); ++i) {
-      require(bodies[i], fmt::format("the map of body {}", i));
+      require_given(bodies[i], fmt::format("the map of body {}", i));
       maps.push_back(bodies[i]->map);
     }
     std::vector<Surface> sides(count_of(surface_count, "the number of surfaces"));
@@ -220,25 +229,25 @@ void idiophone_stage_free(idiophone_stage* stage) {
 
 idiophone_status idiophone_stage_add(idiophone_stage* stage, const idiophone_map* map, int32_t* body) {
   return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
-    require(stage, "the stage");
-    require(map, "the map");
-    require(body, "the number of the body");
+    require_given(stage, "the stage");
+    require_given(map, "the map");
+    require_given(body, "the number of the body");
     *body = static_cast<int32_t>(stage->stage.add(map->map));
   });
 }
 
 idiophone_status idiophone_stage_add_proxy(idiophone_stage* stage, const idiophone_proxy* proxy, int32_t* body) {
   return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
-    require(stage, "the stage");
-    require(proxy, "the proxy");
-    require(body, "the number of the body");
+    require_given(stage, "the stage");
+    require_given(proxy, "the proxy");
+    require_given(body, "the number of the body");
     *body = static_cast<int32_t>(stage->stage.add(proxy->proxy));
   });
 }
 
 idiophone_status idiophone_stage_remove(idiophone_stage* stage, int32_t body) {
   return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
-    require(stage, "the stage");
+    require_given(stage, "the stage");
     stage->stage.remove(count_of(body, "the number of the body"));
   });
 }
@@ -246,9 +255,9 @@ idiophone_status idiophone_stage_remove(idiophone_stage* stage, int32_t body) {
 idiophone_status idiophone_stage_place(idiophone_stage* stage, int32_t body, const double* position,
                                        const double* turn) {
   return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
-    require(stage, "the stage");
-    require(position, "the position");
-    require(turn, "the turn");
+    require_given(stage, "the stage");
+    require_given(position, "the position");
+    require_given(turn, "the turn");
     stage->stage.place(count_of(body, "the number of the body"),
                        {triple_at(position), {turn[0], turn[1], turn[2], turn[3]}});
   });
@@ -257,7 +266,7 @@ idiophone_status idiophone_stage_place(idiophone_stage* stage, int32_t body, con
 idiophone_status idiophone_stage_tune(idiophone_stage* stage, int32_t body, double tension, double friction,
                                       double size) {
   return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
-    require(stage, "the stage");
+    require_given(stage, "the stage");
     stage->stage.tune(count_of(body, "the number of the body"),
                       {.tension = tension, .friction = friction, .size = size});
   });
@@ -265,31 +274,31 @@ idiophone_status idiophone_stage_tune(idiophone_stage* stage, int32_t body, doub
 
 idiophone_status idiophone_stage_listen(idiophone_stage* stage, const double* ears, int32_t ear_count) {
   return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
-    require(stage, "the stage");
-    require(ears, "the list of ears");
-    stage->stage.listen(triples_at(ears, count_of(ear_count, "the number of ears")));
+    require_given(stage, "the stage");
+    require_given(ears, "the list of ears");
+    stage->stage.listen(ears_at(ears, ear_count, stage->stage.channels(), stage->stage.channels()));
   });
 }
 
 idiophone_status idiophone_stage_contact(idiophone_stage* stage, const idiophone_contact* contact) {
   return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
-    require(stage, "the stage");
-    require(contact, "the contact");
+    require_given(stage, "the stage");
+    require_given(contact, "the contact");
     stage->stage.contact(event_of(*contact));
   });
 }
 
 idiophone_status idiophone_stage_step(idiophone_stage* stage, double duration) {
   return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
-    require(stage, "the stage");
+    require_given(stage, "the stage");
     stage->stage.step(duration);
   });
 }
 
 idiophone_status idiophone_stage_report(idiophone_stage* stage, idiophone_report* report) {
   return answer(IDIOPHONE_BAD_ARGUMENT, [&] {
-    require(stage, "the stage");
-    require(report, "the report");
+    require_given(stage, "the stage");
+    require_given(report, "the report");
     const StageReport found = stage->stage.report();
     *report = {.sounding = found.sounding,
                .modes = found.modes,
