@@ -84,6 +84,17 @@ TEST(Tune, StopsWithTheBestValues) {
   EXPECT_EQ(found.bounds[0], Bound::none);
 }
 
+TEST(Tune, TellsThatMoreSearchesFollow) {
+  SearchState last;
+  const auto watch = [&](const SearchState& state) {
+    last = state;
+    return state.best.find("search 2 of at most 3") == std::string::npos;
+  };
+  const Tuning found = tune(bar_with, {{"length", 0.15, 0.2, 0.2}}, {.values = {20}}, {.modes = {1}, .watch = watch});
+  EXPECT_TRUE(found.stopped) << last.best;
+  EXPECT_GT(last.expected, last.solves + 20) << "two searches of some twelve solves each";
+}
+
 /// A bar whose length (m) and viscosity (stiffness damping, s) are varied.
 scene::Scene damped_bar(const std::vector<double>& values) {
   scene::Scene scene = bar_with({values[0]});

@@ -61,8 +61,9 @@ class Search {
     try {
       tell();
       search();
-      for (int number = 1; number <= starts_of_each * static_cast<int>(variables_.size()) && !is_tuned(); ++number) {
-        search_from(halton_point(number, start_.point.size()));
+      while (further_ < most_further() && !is_tuned()) {
+        begun_ = solves_;
+        search_from(halton_point(++further_, start_.point.size()));
       }
     } catch (const TuningStopped&) {
       keep_if_better();
@@ -140,6 +141,9 @@ class Search {
 
   [[nodiscard]] bool is_tuned() const { return smallest_error_ <= options_.tolerance; }
 
+  /// Searches from other points than the deck's.
+  [[nodiscard]] int most_further() const { return starts_of_each * static_cast<int>(variables_.size()); }
+
   /// Tells the watch how far the search is.
   void tell() const {
     if (!options_.watch) {
@@ -147,12 +151,14 @@ class Search {
     }
     const TriedBody& best = largest_error(known_) < smallest_error_ ? known_ : best_;
     const std::vector<double> values = values_at(best.point);
-    std::string text = fmt::format("best so far: {:.2f} cents", std::min(smallest_error_, largest_error(known_)));
+    std::string text = further_ == 0 ? "" : fmt::format("search {} of at most {}, ", 1 + further_, 1 + most_further());
+    text += fmt::format("best so far: {:.2f} cents", std::min(smallest_error_, largest_error(known_)));
     for (std::size_t i = 0; i < values.size(); ++i) {
       text += fmt::format(", {} {:.6g}", variables_[i].key, values[i]);
     }
     const int in_a_search = usual_iterations * (1 + static_cast<int>(variables_.size()));
-    if (!options_.watch({solves_, std::max(1 + in_a_search, solves_ + 1), text})) {
+    const int later = further_ == 0 ? 0 : (most_further() - further_) * in_a_search;  // the first one is mostly enough
+    if (!options_.watch({solves_, std::max(begun_ + in_a_search, solves_) + 1 + later, text})) {
       throw TuningStopped();
     }
   }
@@ -282,6 +288,8 @@ class Search {
   Wishes wishes_;
   const TuningOptions& options_;
   int solves_ = 0;
+  int further_ = 0;  ///< searches from other points that have begun
+  int begun_ = 0;    ///< solves before the present search
   std::string refusal_;
   TriedBody start_, known_, now_, best_;  ///< known: the last accepted; now: the last tried
   MatrixXd slopes_, best_slopes_;         ///< measures over the unknowns, at the last accepted point, the best
