@@ -107,7 +107,8 @@ TEST_F(PathTest, RowsThatAreWrongAreAnsweredWithTheirPlace) {
   };
   EXPECT_EQ(answer("0, 0, 0\n1, 0, 0, 0\n"), "DIR/walk.csv:1:8: expected a comma between y and z, found ''");
   EXPECT_EQ(answer("0, 0, a, 0\n1, 0, 0, 0\n"), "DIR/walk.csv:1:7: expected a y, found 'a, 0'");
-  EXPECT_EQ(answer("0, 0, 0, 0\n1, 0, 0, 0, 7\n"), "DIR/walk.csv:2:11: unexpected ', 7' after the z");
+  EXPECT_EQ(answer("0, 0, 0, 0\n1, 0, 0, 0, 7\n"),
+            "DIR/walk.csv:2:11: unexpected ', 7' after the z: a row has 4 numbers");
   EXPECT_EQ(answer("0, 0, 0, 0\n"),
             "deck.yaml:10:27: listeners.ear.path: needs at least 2 rows 'time, x, y, z', found 1 in DIR/walk.csv");
   EXPECT_THAT(answer("0, 0, 0, 0\n1, 0, 0, 2e6\n"), testing::HasSubstr("farther than 10000 m from the origin"));

@@ -28,7 +28,7 @@ TEST_F(TableTest, RowsThatAreWrongAreAnsweredWithTheirPlace) {
   EXPECT_EQ(answer("0, 0\n1, x\n"), "DIR/force.csv:2:4: expected a value, found 'x'");
   EXPECT_EQ(answer("0, 0\n1, \n"), "DIR/force.csv:2:4: expected a value, found ''");
   EXPECT_EQ(answer("0, 0\n1, nan\n"), "DIR/force.csv:2:4: expected a value, found 'nan'");
-  EXPECT_EQ(answer("0, 0\n1, 2, 3\n"), "DIR/force.csv:2:5: unexpected ', 3' after the value");
+  EXPECT_EQ(answer("0, 0\n1, 2, 3\n"), "DIR/force.csv:2:5: unexpected ', 3' after the value: a row has 2 numbers");
   EXPECT_EQ(answer("0, 0\n 1, 1\n 1, 2\n"), "DIR/force.csv:3:2: times must ascend; 1 s does not follow 1 s");
   EXPECT_EQ(answer("-1, 0\n1, 1\n"), "DIR/force.csv:1:1: the time must be at least 0 s, found -1");
   EXPECT_EQ(answer("0, x\n1, y\n"),
@@ -45,6 +45,7 @@ TEST_F(TableTest, AHeaderHasTheUnits) {
   EXPECT_THAT(table_of("# measured\n time/ms, force/kN\n0, 0\n1.5, 2.5\n", directed), rows);
   EXPECT_THAT(table_of("time (us), hammer force (N)\r\n0, 0\n1500, 2500\n", directed), rows);
   EXPECT_THAT(table_of("time [s], value\n0, 0\n1.5e-3, 2500\n", deck), rows);
+  EXPECT_THAT(table_of("\xEF\xBB\xBFtime/ms, force/kN\r\n0, 0\r\n1.5, 2.5\r\n", directed), rows) << "of a spreadsheet";
 }
 
 TEST_F(TableTest, AHeaderThatIsWrongIsAnsweredWithItsPlace) {

@@ -7,6 +7,8 @@
 #include <map>
 #include <regex>
 
+#include "idiophone/foundation/deck/csv.hpp"
+
 namespace idiophone::scene {
 
 namespace {
@@ -55,7 +57,7 @@ std::optional<TableUnits> read_table_header(std::string_view line, const deck::L
 }
 
 TableUnits units_of_table(const std::string& file) {
-  std::ifstream csv(file);
+  std::ifstream csv = deck::open_csv(file);
   deck::Mistakes known;  // the reader of the table has told them
   for (std::string text; std::getline(csv, text);) {
     const std::string line = text.substr(0, text.find('#'));

@@ -7,6 +7,8 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
+#include <iterator>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -44,12 +46,24 @@ bool parse_row(std::string_view line, const std::vector<CsvColumn>& columns, std
     position = skip_blanks(line, position + 1);
   }
   if (position != line.size()) {
-    mistake = fmt::format("unexpected '{}' after the {}", line.substr(position), columns.back().name);
+    mistake = fmt::format("unexpected '{}' after the {}: a row has {}", line.substr(position), columns.back().name,
+                          columns.size() == 1 ? "one number" : fmt::format("{} numbers", columns.size()));
   }
   return position == line.size();
 }
 
 }  // namespace
+
+std::ifstream open_csv(const std::filesystem::path& file) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  std::ifstream csv(file);
+  std::string begin(byte_order_mark.size(), '\0');
+  if (csv && (!csv.read(begin.data(), std::ssize(begin)) || begin != byte_order_mark)) {
+    csv.clear();
+    csv.seekg(0);
+  }
+  return csv;
+}
 
 bool read_csv(const std::filesystem::path& file, const std::vector<CsvColumn>& columns, Mistakes& mistakes,
               std::vector<CsvRow>& rows, std::optional<CsvHeader>* header) {
@@ -57,7 +71,7 @@ bool read_csv(const std::filesystem::path& file, const std::vector<CsvColumn>& c
   const auto place = [&](int line, std::size_t position) {
     return Location{file.string(), line, static_cast<int>(position) + 1};
   };
-  std::ifstream csv(file);
+  std::ifstream csv = open_csv(file);
   if (!csv) {
     mistakes.add(place(1, 0), "can't read this file");
   }

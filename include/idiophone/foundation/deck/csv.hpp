@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <fstream>
 #include <optional>
 #include <string>
 #include <vector>
@@ -30,6 +31,10 @@ struct CsvHeader {
   Location where;
   std::string text;
 };
+
+/// Opens a file for reading, after the byte order mark of UTF-8 with which spreadsheets begin files.
+/// @return a stream that has failed if the file can't be read
+[[nodiscard]] std::ifstream open_csv(const std::filesystem::path& file);
 
 /// Appends the rows of a file. Reports the first mistakes, at most most_mistakes_of_a_table.
 /// @param header  gets the header if there is one; if omitted, a header is a mistake
