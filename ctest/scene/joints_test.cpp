@@ -126,6 +126,8 @@ TEST_F(Joints, AnswerMistakes) {
        "deck.yaml:11:73: joints.glue.stiffness.normal: must be above 0 and at most 1e+18 Pa/m, found 0"},
       {glue("stiffness: rigid, material: steel"),
        "deck.yaml:11:53: joints.glue.stiffness: cannot stand beside material and thickness: give one of them"},
+      {glue("stiffness: rigid, material: steel, thickness: 0.001"),
+       "deck.yaml:11:53: joints.glue.stiffness: cannot stand beside material and thickness: give one of them"},
       {glue("material: steel"), "deck.yaml:11:16: joints.glue: the key 'thickness' is missing"},
       {glue("material: spruce, thickness: 0.001"),
        "deck.yaml:11:63: joints.glue.material: 'spruce' is not isotropic, as that of a joint must be: name another "

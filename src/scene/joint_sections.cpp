@@ -64,7 +64,8 @@ void read_layer_material(Section& section, Joint& joint, const std::vector<Mater
 }
 
 void read_glue(Section& section, Joint& joint, const std::vector<Material>& materials) {
-  const bool has_material = section.find("material") != nullptr || section.find("thickness") != nullptr;
+  const bool has_thickness = section.find("thickness") != nullptr;  // looked for in any case: then it is a known key
+  const bool has_material = section.find("material") != nullptr || has_thickness;
   const bool has_stiffness = section.find("stiffness") != nullptr;
   if (has_material && has_stiffness) {
     section.refuse("stiffness", "cannot stand beside material and thickness: give one of them");
