@@ -148,7 +148,8 @@ class WrongInput(program.TestCase):
         self.require_status(program.idiophone(*setting(limit), "--output-folder", self.result), program.RESUMABLE)
         job = program.idiophone(*setting(limit, "time.duration=0.02"), "--output-folder", self.result, "--resume", ranks=2)
         self.require_status(job, program.FAILED)
-        self.assertIn("refused: other overrides", job.stdout)
+        self.assertIn(f"refused: other overrides: it was written by a run with --set '{limit}', this one has --set '{limit}' "
+                      "--set 'time.duration=0.02'", job.stdout)
         self.assertIn("leave --resume out", job.stderr)
 
     def test_petsc_options(self):

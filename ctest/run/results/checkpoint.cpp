@@ -165,8 +165,9 @@ TEST(Checkpoint, OtherRunsAreRefused) {
   other.deck_text += "#";
   EXPECT_THAT(reason_for(other), HasSubstr("other deck"));
   other = identity;
-  other.overrides.pop_back();
-  EXPECT_THAT(reason_for(other), HasSubstr("other overrides"));
+  other.overrides = {};
+  EXPECT_THAT(reason_for(other), HasSubstr("other overrides: it was written by a run with --set '"));
+  EXPECT_THAT(reason_for(other), HasSubstr("', this one has no --set"));
 }
 
 TEST(Checkpoint, TheOthersAreTriedWhenLatestPointsNowhere) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <fstream>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 #include "idiophone/files/attributes.hpp"
 #include "idiophone/files/checksum.hpp"
@@ -100,6 +102,10 @@ std::vector<T> read_whole(hid_t file, const std::string& name, MPI_Comm communic
   return values;
 }
 
+std::string in_words(const std::vector<std::string>& overrides) {
+  return overrides.empty() ? "no --set" : fmt::format("--set '{}'", fmt::join(overrides, "' --set '"));
+}
+
 /// Why a valid checkpoint belongs to another run; empty if it does not.
 std::string difference(const Identity& found, const Identity& wanted) {
   if (found.code_version != wanted.code_version) {
@@ -111,7 +117,10 @@ std::string difference(const Identity& found, const Identity& wanted) {
   if (found.deck_text != wanted.deck_text) {
     return "other deck: the text of the deck or of the sonic scene has changed since it was written";
   }
-  return found.overrides == wanted.overrides ? "" : "other overrides: it was written by a run with other --set values";
+  return found.overrides == wanted.overrides
+             ? ""
+             : fmt::format("other overrides: it was written by a run with {}, this one has {}",
+                           in_words(found.overrides), in_words(wanted.overrides));
 }
 
 /// A checkpoint's state of the tables of a file that is continued.
