@@ -329,6 +329,13 @@ class Exported(program.TestCase):
         self.require_status(job, status)
         return job.stdout + job.stderr
 
+    def test_says_once_what_proxies_of_a_material_lack(self):
+        other = "{mesh: ../../../meshes/square_plate.geo, parameters: {size: 0.1}, material: rubber}"
+        said = self.export("--proxy", self.output / "plate.proxy", "--body", "plate", "--set", f"bodies.other={other}",
+                           "--set", "loads.tap.body=plate",
+                           "--set", "materials.rubber.damping={loss_factor: 0.1, band: [50, 500]}")
+        self.assertEqual(said.count("its proxies have the loss factor at 200 and 5000 Hz only"), 1, said)
+
     def test_writes_a_flat_file_with_all_levels(self):
         sizes = []
         for levels in (1, 2):

@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <span>
 #include <stdexcept>
 #include <string>
@@ -218,26 +219,37 @@ std::vector<std::shared_ptr<const proxies::Lattice>> proxy_levels(const scene::S
   return lattices;
 }
 
+namespace {
+
+void warn_of_material(const scene::Material& material) {
+  if (!material.is_isotropic()) {
+    spdlog::warn("material {} is not isotropic: its proxies have its largest Young's modulus in all directions",
+                 material.name);
+  }
+  if (material.damping.loss) {
+    spdlog::warn("material {}: its proxies have the loss factor at 200 and 5000 Hz only", material.name);
+  }
+  if (material.damping.of_vibration() > 0) {
+    spdlog::warn("material {}: mass_of: vibration has no effect on its proxies, whose mass damping slows every motion",
+                 material.name);
+  }
+}
+
+}  // namespace
+
 void warn_of_what_proxies_lack(const scene::Scene& scene) {
   for (const auto& body : scene.recorded_bodies) {
     spdlog::warn("body {} is a recording: it gets no proxy", body.name);
   }
+  std::set<std::size_t> materials;
   for (const scene::Body& body : scene.bodies) {
-    const scene::Material& material = scene.materials[body.material];
-    if (!material.is_isotropic()) {
-      spdlog::warn("material {} is not isotropic: its proxy has its largest Young's modulus in all directions",
-                   material.name);
-    }
-    if (material.damping.loss) {
-      spdlog::warn("material {}: its proxy has the loss factor at 200 and 5000 Hz only", material.name);
-    }
-    if (material.damping.of_vibration() > 0) {
-      spdlog::warn("material {}: mass_of: vibration has no effect on its proxy, whose mass damping slows every motion",
-                   material.name);
-    }
+    materials.insert(body.material);
     if (!body.supports.empty()) {
       spdlog::warn("body {}: its proxy has no supports", body.name);
     }
+  }
+  for (const std::size_t material : materials) {
+    warn_of_material(scene.materials[material]);
   }
   if (std::ranges::any_of(scene.listeners, [](const auto& listener) { return listener.attached.has_value(); })) {
     spdlog::warn("listeners of proxies stand still: `attached` has no effect");
