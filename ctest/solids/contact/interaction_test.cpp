@@ -164,6 +164,30 @@ TEST_P(Elements, FlatBlockPressesEvenlyAndAsHardAsItIsDeep) {
   EXPECT_NEAR(interaction.deepest(), depth, 0.02 * depth);
 }
 
+/// Of the patch where a ball presses into the one face below a block, both at a place; as wide as the disc that is cut.
+Eigen::Matrix3d spread_of_a_small_patch(Type element, const Vector3& place, double width) {
+  constexpr double radius = 0.2;
+  Block block(element, {1, 1, 0.5}, {1, 1, 1}, [&](const Vector3& x) { return Vector3(x + place); });
+  scene::Obstacle ball;
+  ball.shape = scene::Obstacle::Shape::sphere;
+  ball.radius = radius;
+  ball.at = place + Vector3(0.3, 0.4, width * width / (2 * radius) - radius);
+  const RigidShape shape = make_shape(ball);
+  Interaction interaction(frictionless(), stiffness, step, block.side, shape);
+  interaction.choose_candidates(block.cells(), {0}, 0.1);
+  compute(interaction);
+  return interaction.motion().spread;
+}
+
+TEST_P(Elements, APatchInALargeFaceIsSmallWhereverTheBodyIs) {
+  constexpr double width = 0.05;
+  const Eigen::Matrix3d here = spread_of_a_small_patch(GetParam(), {0, 0, 0}, width);
+  const Eigen::Matrix3d far = spread_of_a_small_patch(GetParam(), {20, -30, 40}, width);
+  EXPECT_LT((far - here).norm(), 1e-6 * here.norm());
+  EXPECT_GT(here(0, 0), 0.5 * width * width / 4);  // of a disc
+  EXPECT_LT(here(0, 0), 2 * width * width / 4);
+}
+
 TEST(Interaction, FrictionHoldsUpToItsLimitAndSlidesBelowIt) {
   scene::Contact contact;
   contact.friction = {0.5, 0.3};

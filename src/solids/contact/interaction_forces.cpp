@@ -110,12 +110,14 @@ double Interaction::energy() const {
 ContactMotion Interaction::motion() const {
   ContactMotion motion;
   double weight = 0.0;
+  Vector3 nodes = Vector3::Zero();  // mean place of the nodes that carry the pressure
   for (const Side* side : sides()) {
     for (const Index node : side->touched) {
       const Touch& touch = side->touch[node];
       const double sign = is_with_itself() ? side->bond[node].part : side == both_[0] ? 1.0 : -1.0;
       weight += touch.pressure * touch.surface;
       motion.point += touch.pressure * touch.moment;
+      nodes += touch.pressure * touch.surface * side->position[node];
       // Places are linear in those of the nodes, so the sum of x_i times the integral of psi_i x is that of x x.
       motion.spread += touch.pressure * side->position[node] * touch.moment.transpose();
       motion.normal += sign * touch.pressure * touch.area;
@@ -126,8 +128,9 @@ ContactMotion Interaction::motion() const {
   motion.overlap = overlaps_.volume();
   if (weight > 0) {
     motion.point /= weight;
-    const Eigen::Matrix3d squares = (motion.spread + motion.spread.transpose()) / (2 * weight);
-    motion.spread = squares - motion.point * motion.point.transpose();
+    // Where nodes press unevenly, their mean place is not that of the pressure.
+    const Eigen::Matrix3d products = motion.spread / weight - nodes / weight * motion.point.transpose();
+    motion.spread = (products + products.transpose()) / 2;
     motion.normal.normalize();
     motion.slip /= weight;
     motion.slip -= motion.slip.dot(motion.normal) * motion.normal;
