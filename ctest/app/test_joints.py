@@ -102,7 +102,7 @@ class Joints(program.TestCase):
         self.require_status(self.job, program.FINISHED)
         self.assertIn("joint glue: a hinge of 0.02 m; stiffness", self.job.stdout)
         self.assertIn("joint glue: stiffness 0.1 N m/rad against turning", self.job.stdout)
-        self.assertIn("joint coil: a spring of 0.0605 m; stiffness 200 N/m axial, 100 N/m lateral", self.job.stdout)
+        self.assertIn("joint coil: a spring of 0.0605 m; stiffness 200 N/m axial, 100 N/m lateral, damping 0.0001 s", self.job.stdout)
         alone = program.contents(self.output / "joined.h5")
         momentum = alone["motion/left/velocity"] + alone["motion/right/velocity"]
         self.assertLess(abs(momentum - momentum[0]).max(), 1e-9)

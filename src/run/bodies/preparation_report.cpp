@@ -1,9 +1,11 @@
 #include "preparation_report.hpp"
 
+#include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "idiophone/foundation/dense/dense.hpp"
 #include "idiophone/foundation/element/type.hpp"
@@ -68,6 +70,11 @@ void report_shank(const scene::Joint& joint, const joints::MeshedJoint& meshed) 
       joint.name, length, joint.shank->preload, beam.axial, beam.lateral, beam.bending, beam.torsion);
 }
 
+/// That of a layer can come from its material, and shorten the step.
+std::string damping_in_words(const joints::MeshedJoint& meshed) {
+  return meshed.damping > 0 ? fmt::format(", damping {:.4g} s", meshed.damping) : "";
+}
+
 void report_joint(const scene::Joint& joint, const joints::MeshedJoint& meshed) {
   switch (joint.type) {
     case scene::JointType::bolt:
@@ -78,12 +85,13 @@ void report_joint(const scene::Joint& joint, const joints::MeshedJoint& meshed) 
       [[fallthrough]];
     case scene::JointType::glue:
       spdlog::info(
-          "joint {}: {:.4g} m2 joined, at most {:.3g} m apart; stiffness {:.4g} Pa/m normal, {:.4g} Pa/m tangential",
-          joint.name, meshed.area(), meshed.largest_distance(), meshed.normal, meshed.tangential);
+          "joint {}: {:.4g} m2 joined, at most {:.3g} m apart; stiffness {:.4g} Pa/m normal, {:.4g} Pa/m tangential{}",
+          joint.name, meshed.area(), meshed.largest_distance(), meshed.normal, meshed.tangential,
+          damping_in_words(meshed));
       break;
     case scene::JointType::spring:
-      spdlog::info("joint {}: a spring of {:.4g} m; stiffness {:.4g} N/m axial, {:.4g} N/m lateral", joint.name,
-                   meshed.largest_distance(), meshed.normal, meshed.tangential);
+      spdlog::info("joint {}: a spring of {:.4g} m; stiffness {:.4g} N/m axial, {:.4g} N/m lateral{}", joint.name,
+                   meshed.largest_distance(), meshed.normal, meshed.tangential, damping_in_words(meshed));
       break;
     case scene::JointType::hinge:
       if (meshed.resists_turning) {
