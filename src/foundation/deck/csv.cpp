@@ -7,7 +7,6 @@
 #include <charconv>
 #include <cmath>
 #include <fstream>
-#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -57,10 +56,15 @@ bool parse_row(std::string_view line, const std::vector<CsvColumn>& columns, std
 std::ifstream open_csv(const std::filesystem::path& file) {
   constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
   std::ifstream csv(file);
-  std::string begin(byte_order_mark.size(), '\0');
-  if (csv && (!csv.read(begin.data(), std::ssize(begin)) || begin != byte_order_mark)) {
-    csv.clear();
-    csv.seekg(0);
+  std::size_t read = 0;
+  while (read < byte_order_mark.size() && csv.peek() == static_cast<unsigned char>(byte_order_mark[read])) {
+    csv.get();
+    ++read;
+  }
+  if (read < byte_order_mark.size()) {  // no mark; a pipe cannot seek, so the bytes are put back
+    for (; read > 0; --read) {
+      csv.unget();
+    }
   }
   return csv;
 }
