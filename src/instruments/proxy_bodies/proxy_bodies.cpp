@@ -198,6 +198,20 @@ std::shared_ptr<const proxies::Lattice> coarser_lattice(const MeshedProxy& proxy
   }
 }
 
+void warn_of_material(const scene::Material& material) {
+  if (!material.is_isotropic()) {
+    spdlog::warn("material {} is not isotropic: its proxies have its largest Young's modulus in all directions",
+                 material.name);
+  }
+  if (material.damping.loss) {
+    spdlog::warn("material {}: its proxies have the loss factor at 200 and 5000 Hz only", material.name);
+  }
+  if (material.damping.of_vibration() > 0) {
+    spdlog::warn("material {}: mass_of: vibration has no effect on its proxies, whose mass damping slows every motion",
+                 material.name);
+  }
+}
+
 }  // namespace
 
 std::vector<std::shared_ptr<const proxies::Lattice>> proxy_levels(const scene::Solids& solids, std::size_t body,
@@ -218,24 +232,6 @@ std::vector<std::shared_ptr<const proxies::Lattice>> proxy_levels(const scene::S
   }
   return lattices;
 }
-
-namespace {
-
-void warn_of_material(const scene::Material& material) {
-  if (!material.is_isotropic()) {
-    spdlog::warn("material {} is not isotropic: its proxies have its largest Young's modulus in all directions",
-                 material.name);
-  }
-  if (material.damping.loss) {
-    spdlog::warn("material {}: its proxies have the loss factor at 200 and 5000 Hz only", material.name);
-  }
-  if (material.damping.of_vibration() > 0) {
-    spdlog::warn("material {}: mass_of: vibration has no effect on its proxies, whose mass damping slows every motion",
-                 material.name);
-  }
-}
-
-}  // namespace
 
 void warn_of_what_proxies_lack(const scene::Scene& scene) {
   for (const auto& body : scene.recorded_bodies) {
