@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
+#include <stdexcept>
 
 #include "checkpointed.hpp"
 #include "ranks.hpp"
@@ -102,9 +104,10 @@ class WaveAirTest : public ::testing::Test {
   }
 
   /// What all listeners hear of the cube on the ranks of a communicator; nothing on other ranks than 0.
-  [[nodiscard]] std::vector<std::vector<double>> hear(MPI_Comm communicator, double speed = 0.0) const {
+  [[nodiscard]] std::vector<std::vector<double>> hear(MPI_Comm communicator, double speed = 0.0,
+                                                      accelerator::Accelerator* accelerator = nullptr) const {
     const auto surface = cube(parallel::rank_of(communicator), parallel::size_of(communicator));
-    WaveAir air(scene_, surface, steady_sample, stages(), communicator);
+    WaveAir air(scene_, surface, steady_sample, stages(), communicator, accelerator);
     air.start(steady_sample, motion(surface, 0.0));
     const std::int64_t end = heard_samples - air.final_before(0) + 1;
     propagate(air, surface, steady_sample + 1, end, speed);
@@ -142,6 +145,22 @@ TEST_F(WaveAirTest, ReflectsFromTheFloor) {
   const auto heard = hear(MPI_COMM_WORLD);
   if (rank() == 0) {
     EXPECT_LT(error(heard.at(0), [&](double sample) { return 2.0 * exact(std::hypot(0.8, 0.05), sample); }), 0.05);
+  }
+}
+
+TEST_F(WaveAirTest, IsHeardAlikeFromAnAccelerator) {
+  std::unique_ptr<accelerator::Accelerator> accelerator;
+  try {
+    accelerator = std::make_unique<accelerator::Accelerator>("0");
+  } catch (const std::runtime_error& error) {
+    GTEST_SKIP() << error.what();
+  }
+  scene_.radiation.grid.margin = 0.02;
+  listen_at(Vector3(0.6, -0.5, 0.4));
+  listen_at(Vector3(0.03, 0.031, -0.029));
+  const auto expected = hear(MPI_COMM_WORLD, 1.0), heard = hear(MPI_COMM_WORLD, 1.0, accelerator.get());
+  for (std::size_t ear = 0; ear < heard.size(); ++ear) {
+    EXPECT_LT(error(heard[ear], [&](double sample) { return expected[ear][static_cast<std::size_t>(sample)]; }), 1e-5);
   }
 }
 

@@ -19,13 +19,17 @@ namespace {
 /// Over the largest pressure: rounding after some fifty steps. 0.01 dB would be 1e-3.
 constexpr float rounding = 1e-5F;
 
-std::vector<float> pressures(const WaveField& field) {
+std::vector<Index> cells_of(const WaveField& field) {
   std::vector<Index> cells;
   for_each_cell(field.subdomain().cells(),
                 [&](const std::array<int, 3>& cell) { cells.push_back(field.subdomain().number(cell)); });
-  std::vector<float> values(cells.size());
-  field.probe(cells)->read(values);
-  return values;
+  return cells;
+}
+
+std::vector<float> pressures(const WaveField& field) {
+  const auto probe = field.probe(cells_of(field));
+  const std::span<const float> values = probe->read();
+  return {values.begin(), values.end()};
 }
 
 /// Largest difference over the largest value.
@@ -95,6 +99,22 @@ TEST_P(WavesOnAccelerator, ForecastThePressuresOfTheProcessor) {
   }
 }
 
+TEST_P(WavesOnAccelerator, ShowThePressuresThatAProbeTookWhileStepsGoOn) {
+  Pulsating here = on_processor(), there = on_accelerator();
+  for (Pulsating* one : {&here, &there}) {
+    one->advance(25);
+    const std::vector<float> expected = pressures(one->field());
+    const auto probe = one->field().probe(cells_of(one->field()));
+    for (int round = 0; round < 2; ++round) {
+      probe->begin();
+      one->set(Vector3(0.0087 * round, 0.0, 0.0));
+      one->advance(3);
+      const std::span<const float> found = probe->finish();
+      EXPECT_EQ(std::ranges::equal(found, expected), round == 0);
+    }
+  }
+}
+
 TEST_P(WavesOnAccelerator, GoOnFromAnArchiveOfTheProcessorAndTheReverse) {
   Pulsating processor = on_processor(), accelerator = on_accelerator();
   for (Pulsating* saved : {&processor, &accelerator}) {
@@ -123,9 +143,9 @@ TEST_P(WavesOnAccelerator, HaveTheSameBitsOnAnyRanks) {
   std::vector<Index> cells;
   for_each_cell(part.field().subdomain().cells(),
                 [&](const std::array<int, 3>& cell) { cells.push_back(whole.field().subdomain().number(cell)); });
-  std::vector<float> expected(cells.size());
-  whole.field().probe(cells)->read(expected);
-  EXPECT_EQ(pressures(part.field()), expected);
+  const auto probe = whole.field().probe(std::move(cells));
+  const std::span<const float> expected = probe->read();
+  EXPECT_EQ(pressures(part.field()), std::vector<float>(expected.begin(), expected.end()));
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "idiophone/foundation/accelerator/background_read.hpp"
 #include "idiophone/foundation/accelerator/kernel.hpp"
 
 namespace idiophone::accelerator {
@@ -19,6 +20,7 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::IsEmpty;
 using ::testing::ThrowsMessage;
 
 class AcceleratorTest : public testing::Test {
@@ -61,6 +63,26 @@ TEST_F(AcceleratorTest, KeepsNumbersInOrder) {
   std::vector<int> some(5);
   array.read(some, 499);
   EXPECT_THAT(some, ElementsAre(598, 1, 2, 3, 602));
+}
+
+TEST_F(AcceleratorTest, ReadsNumbersInTheBackground) {
+  constexpr int length = 1 << 20;  // enough to be on the way for a while
+  std::vector<int> numbers(length);
+  Array<int> array(*accelerator_, length);
+  BackgroundRead<int> all(*accelerator_, length), first(*accelerator_, 3), none(*accelerator_, 0);
+  EXPECT_THAT(none.finish(), IsEmpty());
+  for (int round = 0; round < 3; ++round) {
+    std::iota(numbers.begin(), numbers.end(), round);
+    array.write(numbers);
+    none.begin(array);
+    all.begin(array);
+    first.begin(array);
+    array.write(std::vector<int>(length, -1));  // these came later
+    EXPECT_THAT(first.finish(), ElementsAre(round, round + 1, round + 2));
+    const std::span<const int> found = all.finish();
+    EXPECT_TRUE(std::ranges::equal(found, numbers));
+  }
+  all.begin(array);  // on its way at the end
 }
 
 TEST_F(AcceleratorTest, CallsAKernelForEachNumberOfARange) {

@@ -90,6 +90,17 @@ TEST_F(AcceleratedBodyTest, MovesAsOnTheProcessorWhateverItsElements) {
   }
 }
 
+TEST_F(AcceleratedBodyTest, IsAPlateThatMovesAlikeForAThousandSteps) {
+  const auto plate = [] {
+    Laboratory lab(support::block_mesh(element::hex(4, 2), {0.3, 0.3, 0.01}, {4, 4, 1}));
+    lab.fix("x0");
+    lab.push("x1", {0.0, 0.0, 0.01}, 0.004);  // N: it moves by a part of its thickness
+    return lab;
+  };
+  Laboratory there = plate(), here = plate();
+  expect_the_same_motion(there, here, 1000);
+}
+
 TEST_F(AcceleratedBodyTest, RemembersItsStrain) {
   Laboratory there = block(element::hex(2, 2)), here = block(element::hex(2, 2));
   for (Laboratory* lab : {&there, &here}) {

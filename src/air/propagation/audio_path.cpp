@@ -48,6 +48,15 @@ AudioPath::AudioPath(const scene::Acoustics& acoustics, const propagation::Audib
       air_(make_air(acoustics, surface, steady, stages, communicator, accelerator)),
       emitted_(steady) {}
 
+template <class Action>
+void AudioPath::note_problem(const Action& action) {
+  try {
+    action();
+  } catch (const std::runtime_error& error) {
+    problem_ = error.what();
+  }
+}
+
 void AudioPath::start(const surface::SurfaceMotion& steady) {
   emitter_.start(steady);
   air_->start(emitted_, steady);
@@ -59,14 +68,11 @@ void AudioPath::hear(const surface::SurfaceMotion& motion) {
     emitter_.emit(motion, emission_);
   }
   ++emitted_;
-  try {
-    air_->propagate(emitted_, emission_, motion);
-  } catch (const std::runtime_error& error) {
-    problem_ = error.what();
-  }
+  note_problem([this, &motion] { air_->propagate(emitted_, emission_, motion); });
 }
 
-void AudioPath::check() const {
+void AudioPath::check() {
+  note_problem([this] { air_->finish(); });
   parallel::agree(communicator_, problem_.empty() ? "" : "the motion can't be heard: " + problem_);
 }
 

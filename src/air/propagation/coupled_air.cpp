@@ -30,11 +30,16 @@ CoupledAir::CoupledAir(const scene::Acoustics& acoustics, const propagation::Aud
       grid_(acoustics, surface, communicator, accelerator),
       velocity_changes_(3 * grid_.moving()),
       pressure_changes_(3 * grid_.moving()),
-      heard_(grid_.emission()),
+      heard_(emission_at_rest()),
       pressure_(sampling(acoustics, grid_.plan().steps), surface::ReadTime::end, heard_.surface_pressure.size()),
       gradient_(sampling(acoustics, grid_.plan().steps), surface::ReadTime::end, heard_.pressure_gradient.size()),
       latency_(steady + sampling(acoustics, grid_.plan().steps).latency()),
       ears_(acoustics, steady + 1 - latency_, grid_.patches()) {}
+
+surface::Emission CoupledAir::emission_at_rest() {
+  grid_.begin_emission();
+  return grid_.finish_emission();
+}
 
 void CoupledAir::start(std::int64_t /*sample*/, const surface::SurfaceMotion& steady) {
   grid_.start(steady);
@@ -63,6 +68,7 @@ void CoupledAir::advance(std::span<const double> changes, std::span<double> forc
   }
   step(changes);
   exchange_->return_forces(grid_.forces(), force, resistance);
+  filter(step_++);
   std::ranges::transform(resistance, resistance.begin(), [this](double area) { return impedance_ * area; });
   stages_.move(parallel::Stage::motion, parallel::Stage::radiation, parallel::wall_time() - begin);
 }
@@ -82,11 +88,11 @@ void CoupledAir::step(std::span<const double> changes) {
   std::ranges::transform(velocity_changes_, pressure_changes_.begin(),
                          [this](double change) { return static_cast<float>(impedance_ * change); });
   grid_.step(pressure_changes_);
-  filter(step_++);
+  grid_.begin_emission();
 }
 
 void CoupledAir::filter(int step) {
-  const surface::Emission& now = grid_.emission();
+  const surface::Emission& now = grid_.finish_emission();
   for (std::size_t pack = 0; pack < heard_.surface_pressure.size() / pack_size; ++pack) {
     pressure_.add(pack, std::array{&now.surface_pressure[pack * pack_size]}, step);
     gradient_.add(pack, std::array{&now.pressure_gradient[pack * pack_size]}, step);

@@ -50,6 +50,7 @@ class CoupledAir : public Air, public propagation::AirLoad {
   [[nodiscard]] const WaveGrid& grid() const { return grid_; }
 
  private:
+  [[nodiscard]] surface::Emission emission_at_rest();
   void move_surfaces();
   void find_near();
   void step(std::span<const double> changes);

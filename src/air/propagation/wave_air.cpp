@@ -1,8 +1,7 @@
 #include "wave_air.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <stdexcept>
+#include <utility>
 
 #include "idiophone/foundation/parallel/communicator.hpp"
 
@@ -17,7 +16,8 @@ WaveAir::WaveAir(const scene::Acoustics& acoustics, const propagation::AudibleSu
       triangle_ids_(parallel::gather_all(std::span<const Index>(surface.triangle_ids), communicator)),
       shared_pressures_(triangle_ids_.counts, communicator),
       history_(grid_.moving(), grid_.plan().steps),
-      ears_(acoustics, steady + 1 - latency(), grid_.patches()) {}
+      ears_(acoustics, steady + 1 - latency(), grid_.patches()),
+      local_pressures_(grid_.field(), grid_.plan().enclosure) {}
 
 void WaveAir::start(std::int64_t /*sample*/, const surface::SurfaceMotion& steady) {
   grid_.start(steady);
@@ -38,7 +38,20 @@ void WaveAir::propagate(std::int64_t sample, const surface::Emission& emission, 
   for (int step = 0; step < grid_.plan().steps; ++step) {
     grid_.step(history_, step);
   }
-  ears_.hear(sample - latency(), grid_.emission(), nullptr, [this](const Vector3& place) { return sounds_at(place); });
+  finish();  // while an accelerator takes these steps
+  unheard_ = sample - latency();
+  grid_.begin_emission();
+  local_pressures_.begin(ears_.positions(*unheard_));
+}
+
+void WaveAir::finish() {
+  if (!unheard_) {
+    return;
+  }
+  const std::int64_t sample = *std::exchange(unheard_, std::nullopt);
+  const surface::Emission& emission = grid_.finish_emission();
+  local_pressures_.finish();
+  ears_.hear(sample, emission, nullptr, [this](const Vector3& place) { return local_pressures_.at(place); });
 }
 
 std::vector<float> WaveAir::own_pressures(const std::vector<double>& padded) const {
@@ -65,46 +78,8 @@ void WaveAir::receive() {
   grid_.receive_positions();
 }
 
-std::optional<Ears::LocalSounds> WaveAir::sounds_at(const Vector3& place) const {
-  const Vector3 in_cells = grid_.plan().grid.in_cells(place);
-  if (!grid_.plan().enclosure.contains(in_cells)) {
-    return {};
-  }
-  // Linear between the centres of eight cells.
-  Ears::LocalSounds sounds{};
-  std::vector<int> corners;  // in cells of this rank
-  std::vector<Index> cells;
-  std::array<int, 3> first{};
-  Vector3 part;
-  for (int axis = 0; axis < 3; ++axis) {
-    first[axis] = static_cast<int>(std::floor(in_cells[axis] - 0.5));
-    part[axis] = in_cells[axis] - 0.5 - first[axis];
-  }
-  for (int corner = 0; corner < 8; ++corner) {
-    std::array<int, 3> cell = first;
-    double weight = 1.0;
-    for (int axis = 0; axis < 3; ++axis) {
-      const bool upper = (corner >> axis & 1) != 0;
-      cell[axis] += upper ? 1 : 0;
-      weight *= upper ? part[axis] : 1.0 - part[axis];
-    }
-    cell[2] = std::max(cell[2], 0);  // below is the mirror image
-    const waves::Subdomain& subdomain = grid_.field().subdomain();
-    if (subdomain.owns(cell)) {
-      sounds[corner] = weight;
-      corners.push_back(corner);
-      cells.push_back(subdomain.number(cell));
-    }
-  }
-  std::vector<float> pressures(cells.size());
-  grid_.field().probe(cells)->read(pressures);
-  for (std::size_t i = 0; i < cells.size(); ++i) {
-    sounds[corners[i]] *= pressures[i];
-  }
-  return sounds;
-}
-
 void WaveAir::archive(parallel::Archive& archive) {
+  finish();
   receive();
   grid_.archive(archive);
   std::vector<double> pressures = history_.samples();

@@ -11,6 +11,7 @@
 #include "idiophone/air/waves/velocity_history.hpp"
 #include "idiophone/foundation/parallel/gather.hpp"
 #include "idiophone/foundation/parallel/stages.hpp"
+#include "local_pressures.hpp"
 #include "wave_grid.hpp"
 
 namespace idiophone::propagation {
@@ -30,12 +31,15 @@ class WaveAir : public Air {
   [[nodiscard]] std::string unit() const override { return std::string(ears_.model().unit()); }
   [[nodiscard]] std::string description() const override { return std::string(ears_.model().description()); }
   void start(std::int64_t sample, const surface::SurfaceMotion& steady) override;
-  /// Waits for the neighbouring ranks, and until all ranks have begun the audio sample before.
+  /// Waits for the neighbouring ranks, and until all ranks have begun the audio sample before. The ears hear the grid
+  /// when the next audio sample has begun, so that the processor does not wait for an accelerator.
   void propagate(std::int64_t sample, const surface::Emission& emission, const surface::SurfaceMotion& motion) override;
+  void finish() override;
   [[nodiscard]] std::int64_t final_before(std::int64_t sample) const override {
     return ears_.final_before(sample - latency());
   }
   [[nodiscard]] std::vector<std::vector<double>> take(std::size_t count) override {
+    finish();
     return ears_.take(count, communicator_);
   }
   void archive(parallel::Archive& archive) override;
@@ -46,7 +50,6 @@ class WaveAir : public Air {
   void receive();
   [[nodiscard]] std::vector<float> own_pressures(const std::vector<double>& padded) const;
   [[nodiscard]] std::vector<float> in_global_order(std::span<const float> gathered) const;
-  [[nodiscard]] std::optional<Ears::LocalSounds> sounds_at(const Vector3& place) const;
 
   scene::Acoustics acoustics_;
   parallel::Stages& stages_;
@@ -57,6 +60,8 @@ class WaveAir : public Air {
   bool sending_ = false;
   waves::VelocityHistory history_;
   Ears ears_;
+  LocalPressures local_pressures_;       // at the ears
+  std::optional<std::int64_t> unheard_;  // audio sample of which the grid's pressures are on their way to the ears
 };
 
 }  // namespace idiophone::propagation

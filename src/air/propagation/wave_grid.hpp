@@ -66,8 +66,9 @@ class WaveGrid {
   [[nodiscard]] std::size_t patches() const { return box_.patches(); }
   /// The rows of an archive that they are.
   [[nodiscard]] const parallel::Rows& patch_rows() const { return patch_rows_; }
-  /// The air at the box.
-  [[nodiscard]] const surface::Emission& emission() { return box_.emission(); }
+  /// The air at the box, as waves::EnclosingBox does it.
+  void begin_emission() { box_.begin(); }
+  [[nodiscard]] const surface::Emission& finish_emission() { return box_.finish(); }
 
   /// Receives what is on its way. Restoring takes the place of start(). Collective.
   void archive(parallel::Archive& archive);

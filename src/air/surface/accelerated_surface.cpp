@@ -41,7 +41,8 @@ AcceleratedSurface::Filter::Filter(accelerator::Accelerator& accelerator, const 
       outputs(static_cast<int>(low_pass.outputs())),
       taps(accelerator, low_pass.taps()),
       sums(accelerator, low_pass.outputs() * numbers),
-      complete(accelerator, numbers) {}
+      complete(accelerator, numbers),
+      read(accelerator, numbers) {}
 
 void AcceleratedSurface::Filter::load(LowPass& low_pass) {
   std::vector<double> values(sums.size());
@@ -119,6 +120,10 @@ void AcceleratedSurface::filter_reads(int completes) {
   begin_ = (begin_ + reads_) % slots;
   reads_filtered_ += reads_;
   reads_ = 0;
+  if (completes != 0) {
+    p.read.begin(p.complete);
+    d.read.begin(d.complete);
+  }
 }
 
 void AcceleratedSurface::take(SurfaceMotion& motion) {
@@ -128,8 +133,8 @@ void AcceleratedSurface::take(SurfaceMotion& motion) {
   reads_filtered_ = 0;
   motion.pressure.assign(padded(surface_.triangles()), 0.0);
   motion.position.assign(SurfaceMotion::position_length(surface_.vertices()), 0.0);
-  pressure_.complete.read(std::span(motion.pressure).first(triangles_));
-  displacement_.complete.read(std::span(motion.position).first(values_));
+  std::ranges::copy(pressure_.read.finish(), motion.pressure.begin());
+  std::ranges::copy(displacement_.read.finish(), motion.position.begin());
   pressure_.oldest = (pressure_.oldest + 1) % pressure_.outputs;
   displacement_.oldest = (displacement_.oldest + 1) % displacement_.outputs;
 }

@@ -178,6 +178,7 @@ LayerTable AbsorbingLayer::table() const {
   table.axis = static_cast<int>(axis_);
   table.outwards = outwards_;
   table.inwards = inwards_;
+  table.inner = end_ == 0 ? 1 : -1;
   table.row = strides_[1];
   table.plane = strides_[2];
   table.memory = place(origin);
@@ -186,9 +187,9 @@ LayerTable AbsorbingLayer::table() const {
   for (std::size_t axis = 0; axis < 3; ++axis) {
     table.from[axis] = cells_.from.at(axis) - origin.at(axis);
     table.to[axis] = cells_.to.at(axis) - origin.at(axis);
-    table.faces_from[axis] = faces_.from.at(axis) - origin.at(axis);
-    table.faces_to[axis] = faces_.to.at(axis) - origin.at(axis);
   }
+  table.faces_from = faces_.from.at(axis_) - origin.at(axis_);
+  table.faces_to = faces_.to.at(axis_) - origin.at(axis_);
   return table;
 }
 

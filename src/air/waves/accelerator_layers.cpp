@@ -4,14 +4,6 @@ namespace idiophone::waves {
 
 namespace {
 
-int faces_of(const LayerTable& layer) {
-  int faces = 1;
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    faces *= layer.faces_to[axis] - layer.faces_from[axis];
-  }
-  return faces;
-}
-
 /// Places of decays and of memory become those among all layers.
 int append(const std::vector<float>& decay, std::vector<float>& all) {
   const int place = static_cast<int>(all.size());
@@ -28,9 +20,7 @@ AcceleratorLayers::Tables AcceleratorLayers::make_tables(const std::vector<Absor
     table.face_decay += append(layer.face_decay(), all.decay);
     table.cell_decay += append(layer.cell_decay(), all.decay);
     table.memory += static_cast<int>(all.length);
-    table.first_face = all.faces;
     all.length += layer.memory_length();
-    all.faces += faces_of(table);
     all.layers.push_back(table);
   }
   return all;
@@ -41,17 +31,18 @@ AcceleratorLayers::AcceleratorLayers(accelerator::Accelerator& accelerator, cons
 
 AcceleratorLayers::AcceleratorLayers(accelerator::Accelerator& accelerator, const Tables& made)
     : count(static_cast<int>(made.layers.size())),
-      faces(made.faces),
+      faces(0),
+      next_faces(static_cast<int>(made.length)),
+      cells(2 * next_faces),
       tables(accelerator, made.layers),
       decay(accelerator, made.decay),
-      face_memory(accelerator, made.length),
-      cell_memory(accelerator, made.length) {}
+      memory(accelerator, 3 * made.length) {}
 
 void AcceleratorLayers::save(std::vector<AbsorbingLayer>& layers) const {
   std::size_t place = 0;
   for (AbsorbingLayer& layer : layers) {
-    face_memory.read(layer.face_memory(), place);
-    cell_memory.read(layer.cell_memory(), place);
+    memory.read(layer.face_memory(), faces + place);
+    memory.read(layer.cell_memory(), cells + place);
     place += layer.memory_length();
   }
 }
@@ -59,8 +50,8 @@ void AcceleratorLayers::save(std::vector<AbsorbingLayer>& layers) const {
 void AcceleratorLayers::load(std::vector<AbsorbingLayer>& layers) {
   std::size_t place = 0;
   for (AbsorbingLayer& layer : layers) {
-    face_memory.write(layer.face_memory(), place);
-    cell_memory.write(layer.cell_memory(), place);
+    memory.write(layer.face_memory(), faces + place);
+    memory.write(layer.cell_memory(), cells + place);
     place += layer.memory_length();
   }
 }

@@ -1,6 +1,7 @@
 #pragma once
 // Absorbing layers on an accelerator.
 
+#include <utility>
 #include <vector>
 
 #include "absorbing_layer.hpp"
@@ -17,21 +18,24 @@ class AcceleratorLayers {
   void save(std::vector<AbsorbingLayer>& layers) const;
   void load(std::vector<AbsorbingLayer>& layers);
 
+  /// The memory of the faces is now that after the step.
+  void advance() { std::swap(faces, next_faces); }
+
  private:
   struct Tables {
     std::vector<LayerTable> layers;
     std::vector<float> decay;
-    int faces = 0;           // of all layers
-    std::size_t length = 0;  // of the memory
+    std::size_t length = 0;  // of the memory of all faces, or of all cells
   };
   [[nodiscard]] static Tables make_tables(const std::vector<AbsorbingLayer>& layers);
   AcceleratorLayers(accelerator::Accelerator& accelerator, const Tables& tables);
 
  public:
   // For the kernels:
-  int count, faces;
+  int count;
+  int faces, next_faces, cells;  ///< places in the memory: of the faces before a step and after it, of the cells
   accelerator::Array<LayerTable> tables;
-  accelerator::Array<float> decay, face_memory, cell_memory;
+  accelerator::Array<float> decay, memory;
 };
 
 }  // namespace idiophone::waves

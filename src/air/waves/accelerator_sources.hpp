@@ -22,8 +22,9 @@ class AcceleratorSources {
   Index nodes_;
   int steps_;
   std::int64_t oldest_ = -1;  // audio sample of the velocities
-  accelerator::Array<Index> first_piece_, triangle_;
-  accelerator::Array<float> weight_, sources_;
+  accelerator::Array<Index> first_piece_;
+  accelerator::Array<SurfaceSources::Piece> pieces_;
+  accelerator::Array<float> sources_;
 };
 
 }  // namespace idiophone::waves

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "idiophone/foundation/accelerator/background_read.hpp"
+
 namespace idiophone::waves {
 
 namespace {
@@ -11,19 +13,24 @@ class AcceleratorProbe : public PressureProbe {
  public:
   AcceleratorProbe(accelerator::Accelerator& accelerator, WaveKernels& kernels,
                    const accelerator::Array<float>& pressure, const std::vector<Index>& cells)
-      : kernels_(kernels), pressure_(pressure), cells_(accelerator, cells), values_(accelerator, cells.size()) {}
+      : kernels_(kernels),
+        pressure_(pressure),
+        cells_(accelerator, cells),
+        values_(accelerator, cells.size()),
+        read_(accelerator, cells.size()) {}
 
-  void read(std::span<float> pressures) override {
-    const std::size_t count = cells_.size();
-    kernels_.gather({count, 1, 1}, static_cast<int>(count), cells_, pressure_, values_);
-    values_.read(pressures.first(count));
+  void begin() override {
+    kernels_.gather({cells_.size(), 1, 1}, static_cast<int>(cells_.size()), cells_, pressure_, values_);
+    read_.begin(values_);
   }
+  std::span<const float> finish() override { return read_.finish(); }
 
  private:
   WaveKernels& kernels_;
   const accelerator::Array<float>& pressure_;
   accelerator::Array<Index> cells_;
   accelerator::Array<float> values_;
+  accelerator::BackgroundRead<float> read_;
 };
 
 }  // namespace
@@ -78,15 +85,21 @@ void AcceleratorSteps::step(const SurfaceSources& sources, const VelocityHistory
 }
 
 void AcceleratorSteps::advance(const accelerator::Array<float>& sources, int place) {
-  const Subdomain& subdomain = state_.subdomain;
-  const CellPlaces places = {subdomain.number(subdomain.cells().from), subdomain.stride(1), subdomain.stride(2)};
-  nodes().step(places, layers_, place, sources, pressure_, pending_);
-  const int width = subdomain.cells().width(0), height = subdomain.cells().width(1), depth = subdomain.cells().width(2);
-  kernels_.step_cells(
-      {static_cast<std::size_t>(width), static_cast<std::size_t>(height), static_cast<std::size_t>(depth)}, width,
-      height, depth, subdomain.is_on_floor() ? 1 : 0, layers_.count, layers_.tables, places.first, places.row,
-      places.plane, state_.courant * state_.courant, nodes().held(), layers_.decay, layers_.face_memory,
-      layers_.cell_memory, pressure_, rate_, pending_);
+  const Subdomain& all = state_.subdomain;
+  AcceleratorNodes& nodes = this->nodes();
+  const int width = all.cells().width(0), height = all.cells().width(1), depth = all.cells().width(2);
+  const int node_planes = (nodes.own() + width * height - 1) / (width * height);
+  kernels_.step_field({static_cast<std::size_t>(width), static_cast<std::size_t>(height),
+                       static_cast<std::size_t>(node_planes) + static_cast<std::size_t>(depth)},
+                      width, height, depth, node_planes, nodes.own(), all.length(), all.number(all.cells().from),
+                      all.stride(1), all.stride(2), all.is_on_floor() ? 1 : 0, nodes.is_lossy() ? 0 : 1,
+                      state_.courant * state_.courant, layers_.count, layers_.tables, layers_.decay, layers_.faces,
+                      layers_.next_faces, layers_.cells, layers_.memory, nodes.held, nodes.tables, nodes.links, place,
+                      sources, nodes.rate, pressure_, rate_, pending_);
+  layers_.advance();
+  if (nodes.is_lossy()) {
+    nodes.take_losses(pressure_, pending_);
+  }
   exchange_faces(pending_);
   std::swap(pressure_, pending_);
 }

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "accelerator_layers.hpp"
 #include "accelerator_nodes.hpp"
 #include "accelerator_sources.hpp"
 #include "field_steps.hpp"

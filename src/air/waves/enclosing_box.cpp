@@ -1,5 +1,7 @@
 #include "idiophone/air/waves/enclosing_box.hpp"
 
+#include <span>
+
 #include "idiophone/foundation/lanes.hpp"
 
 namespace idiophone::waves {
@@ -15,7 +17,6 @@ EnclosingBox::EnclosingBox(const WaveField& field, const Enclosure& enclosure) :
   }
   emission_.resize(padded(patches()));
   emission_.pressure_gradient.resize(padded(patches()));
-  pressures_.resize(cells_.size());
   probe_ = field.probe(cells_);
 }
 
@@ -49,10 +50,10 @@ void EnclosingBox::add_side(const Subdomain& subdomain, const Enclosure& enclosu
   }
 }
 
-const surface::Emission& EnclosingBox::emission() {
-  probe_->read(pressures_);
+const surface::Emission& EnclosingBox::finish() {
+  const std::span<const float> pressures = probe_->finish();
   for (std::size_t i = 0; i < patches(); ++i) {
-    const double inside = pressures_[2 * i], outside = pressures_[2 * i + 1];
+    const double inside = pressures[2 * i], outside = pressures[2 * i + 1];
     emission_.surface_pressure[i] = 0.5 * (inside + outside);
     emission_.pressure_gradient[i] = (outside - inside) / cell_;
   }

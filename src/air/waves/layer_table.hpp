@@ -11,13 +11,13 @@ namespace idiophone::waves {
 /// has the place memory + x + y row + z plane.
 struct LayerTable {
   int axis;
-  int outwards;                    ///< from a cell to the next one outwards, in arrays of the subdomain
-  int inwards;                     ///< to the next one inwards, in the memory
-  int row, plane, memory;          ///< of the memory
-  int face_decay, cell_decay;      ///< places of the decays of cell 0 along the axis
-  int from[3], to[3];              ///< cells of the layer
-  int faces_from[3], faces_to[3];  ///< cells whose outer faces they need
-  int first_face;                  ///< how many faces the layers before this one have
+  int outwards;                ///< from a cell to the next one outwards, in arrays of the subdomain
+  int inwards;                 ///< to the next one inwards, in the memory
+  int inner;                   ///< to the next one inwards, along the axis: 1 or -1
+  int row, plane, memory;      ///< of the memory
+  int face_decay, cell_decay;  ///< places of the decays of cell 0 along the axis
+  int from[3], to[3];          ///< cells of the layer
+  int faces_from, faces_to;    ///< cells whose outer faces they need, along the axis
 };
 
 #ifdef __cplusplus

@@ -11,15 +11,18 @@ namespace {
 
 class ProcessorProbe : public PressureProbe {
  public:
-  ProcessorProbe(const std::vector<float>& field, std::vector<Index> cells) : field_(field), cells_(std::move(cells)) {}
+  ProcessorProbe(const std::vector<float>& field, std::vector<Index> cells)
+      : field_(field), cells_(std::move(cells)), values_(cells_.size()) {}
 
-  void read(std::span<float> pressures) override {
-    std::ranges::transform(cells_, pressures.begin(), [this](Index cell) { return field_[cell]; });
+  void begin() override {
+    std::ranges::transform(cells_, values_.begin(), [this](Index cell) { return field_[cell]; });
   }
+  std::span<const float> finish() override { return values_; }
 
  private:
   const std::vector<float>& field_;
   std::vector<Index> cells_;
+  std::vector<float> values_;
 };
 
 }  // namespace

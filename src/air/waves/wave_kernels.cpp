@@ -21,8 +21,7 @@ std::string source() {
 
 WaveKernels::WaveKernels(accelerator::Accelerator& accelerator)
     : program(accelerator, source()),
-      begin_step(program, "begin_step"),
-      step_cells(program, "step_cells"),
+      step_field(program, "step_field"),
       node_rates_at_rest(program, "node_rates_at_rest"),
       slow_ways(program, "slow_ways"),
       slow_nodes(program, "slow_nodes"),

@@ -10,7 +10,7 @@ struct WaveKernels {
   explicit WaveKernels(accelerator::Accelerator& accelerator);
 
   accelerator::Program program;
-  accelerator::Kernel begin_step, step_cells;
+  accelerator::Kernel step_field;
   accelerator::Kernel node_rates_at_rest, slow_ways, slow_nodes, cool_nodes, advance_nodes, forecast_nodes;
   accelerator::Kernel change_velocities, add_sources;
   accelerator::Kernel gather, scatter;

@@ -23,7 +23,10 @@ Memory::Memory(Accelerator& accelerator, std::size_t bytes)
   cl_mem memory =
       clCreateBuffer(static_cast<cl_context>(accelerator.context()), CL_MEM_READ_WRITE, length, nullptr, &status);
   require_success(status, "make an array");
-  memory_ = owned(memory, &clReleaseMemObject);
+  memory_ = {memory, [queue = queue_of(accelerator)](void* one) {
+               clFinish(queue);  // pocl 3.1 frees an array although kernels in the queue use it
+               clReleaseMemObject(static_cast<cl_mem>(one));
+             }};
   const cl_uint zero = 0;
   require_success(clEnqueueFillBuffer(queue_of(accelerator), memory, &zero, sizeof(zero), 0,
                                       length / sizeof(zero) * sizeof(zero), 0, nullptr, nullptr),

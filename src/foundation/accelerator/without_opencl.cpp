@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "idiophone/foundation/accelerator/background_read.hpp"
 #include "idiophone/foundation/accelerator/kernel.hpp"
 
 namespace idiophone::accelerator {
@@ -32,6 +33,20 @@ void Memory::write(std::size_t /*first*/, std::span<const std::byte> /*bytes*/) 
 }
 
 void Memory::read(std::size_t /*first*/, std::span<std::byte> /*bytes*/) const {
+  refuse();
+}
+
+MemoryRead::MemoryRead(Accelerator& accelerator, std::size_t bytes) : accelerator_(&accelerator), length_(bytes) {
+  refuse();
+}
+
+MemoryRead::~MemoryRead() = default;
+
+void MemoryRead::begin(const Memory& /*from*/) {
+  refuse();
+}
+
+void MemoryRead::finish() {
   refuse();
 }
 

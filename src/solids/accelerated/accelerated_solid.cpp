@@ -6,6 +6,7 @@
 #include "idiophone/foundation/each_once.hpp"
 #include "idiophone/foundation/element/reference.hpp"
 #include "idiophone/foundation/parallel/archive_row.hpp"
+#include "table_entries.hpp"
 
 namespace idiophone::accelerated {
 
@@ -24,12 +25,6 @@ std::vector<Index> regions_of(const mesh::BodyPart& body) {
   return result;
 }
 
-std::vector<double> inverse(std::span<const double> masses) {
-  std::vector<double> result;
-  std::ranges::transform(masses, std::back_inserter(result), [](double mass) { return 1.0 / mass; });
-  return result;
-}
-
 /// Bits of the components of each owned node.
 /// @param begin  the first owned node
 std::vector<int> held_bits(std::span<const Index> components, Index begin, Index owned) {
@@ -40,28 +35,43 @@ std::vector<int> held_bits(std::span<const Index> components, Index begin, Index
   return bits;
 }
 
+std::vector<ElementEntry> element_entries(std::span<const Index> regions, const GeometryTable& geometry) {
+  std::vector<ElementEntry> entries;
+  std::ranges::transform(regions, geometry.first, std::back_inserter(entries), [](Index region, Index first) {
+    return ElementEntry{region, first};
+  });
+  return entries;
+}
+
+std::vector<NodeEntry> node_entries(std::span<const double> masses, const NodeElements& elements,
+                                    const std::vector<int>& held) {
+  std::vector<NodeEntry> entries;
+  for (std::size_t node = 0; node < held.size(); ++node) {
+    entries.push_back({1.0 / masses[node], elements.first[node], held[node]});
+  }
+  entries.push_back({0.0, elements.first.back(), 0});
+  return entries;
+}
+
 }  // namespace
 
 struct AcceleratedSolid::Device {
   Device(accelerator::Accelerator& its_accelerator, const mesh::BodyPart& body, const solid::Solid& solid,
          const LawSize& law, double step, const std::vector<Index>& regions, const std::vector<Index>& its_nodes,
-         const GeometryTable& geometry_of, const NodeElements& elements, Index all_nodes,
-         std::span<const double> inverse_masses, std::span<const int> held_components)
+         const GeometryTable& geometry_of, const NodeElements& elements_of_nodes, Index with_ghosts,
+         std::span<const double> masses, const std::vector<int>& held_components)
       : accelerator(its_accelerator),
         kernels(accelerator, body.element, law),
         mechanisms(law.mechanisms),
         points(body.element_ids.size() * element::reference(body.element).quadrature.size()),
+        all_nodes(with_ghosts),
         nodes(accelerator, its_nodes),
-        region(accelerator, regions),
-        first_geometry(accelerator, geometry_of.first),
+        elements(accelerator, element_entries(regions, geometry_of)),
         geometry(accelerator, geometry_of.values),
         materials(accelerator, material_table(solid, law, step)),
-        first_place(accelerator, elements.first),
-        places(accelerator, elements.places),
-        inverse_mass(accelerator, inverse_masses),
-        held(accelerator, held_components),
-        displacement(accelerator, width * all_nodes),
-        velocity(accelerator, width * all_nodes),
+        node_table(accelerator, node_entries(masses, elements_of_nodes, held_components)),
+        places(accelerator, elements_of_nodes.places),
+        motion(accelerator, 2 * width * all_nodes),
         memory(accelerator, 6UL * mechanisms * points),
         flux(accelerator, 9 * points) {}
 
@@ -69,14 +79,15 @@ struct AcceleratedSolid::Device {
   SolidKernels kernels;
   int mechanisms;
   std::size_t points;  ///< quadrature points of all elements
-  Array<Index> nodes, region, first_geometry;
+  Index all_nodes;     ///< owned ones of the body, and ghosts
+  Array<Index> nodes;
+  Array<ElementEntry> elements;
   Array<double> geometry, materials;
-  Array<Index> first_place, places;
-  Array<double> inverse_mass;
-  Array<int> held;
-  Array<double> displacement, velocity;  ///< [owned nodes of the body, then ghosts][4]
-  Array<double> memory;                  ///< [mechanisms][6][points]
-  Array<double> flux;                    ///< [9][points]
+  Array<NodeEntry> node_table;
+  Array<Index> places;
+  Array<double> motion;  ///< [displacements, velocities][owned nodes of the body, then ghosts][4]
+  Array<double> memory;  ///< [mechanisms][6][points]
+  Array<double> flux;    ///< [9][points]
 };
 
 AcceleratedSolid::AcceleratedSolid(accelerator::Accelerator& accelerator, const mesh::BodyPart& body,
@@ -88,7 +99,7 @@ AcceleratedSolid::AcceleratedSolid(accelerator::Accelerator& accelerator, const 
   std::ranges::transform(body.elements, std::back_inserter(nodes), [this](Index node) { return number(node); });
   device_ = std::make_unique<Device>(accelerator, body, solid, law_size(solid), step, regions_, nodes,
                                      geometry_table(body, reference), node_elements(nodes, owned_),
-                                     owned_ + static_cast<Index>(ghosts_.size()), inverse(mass.lumped()),
+                                     owned_ + static_cast<Index>(ghosts_.size()), mass.lumped(),
                                      held_bits(held, begin_, owned_));
 }
 
@@ -117,7 +128,7 @@ Index AcceleratedSolid::number(Index node) const {
 }
 
 const Array<double>& AcceleratedSolid::displacements() const {
-  return device_->displacement;
+  return device_->motion;
 }
 
 NodeList AcceleratedSolid::list(std::vector<Index> nodes) const {
@@ -127,24 +138,24 @@ NodeList AcceleratedSolid::list(std::vector<Index> nodes) const {
 }
 
 void AcceleratedSolid::load(std::span<const solid::NodeState> state, solid::Solid& solid) {
-  std::vector<double> displacement(device_->displacement.size()), velocity(displacement.size());
+  std::vector<double> motion(device_->motion.size());
+  const std::span<double> velocity = std::span(motion).subspan(width * device_->all_nodes);
   const auto put = [&](Index node) {
-    std::copy_n(state[node].displacement, 3, &displacement[width * number(node)]);
+    std::copy_n(state[node].displacement, 3, &motion[width * number(node)]);
     std::copy_n(state[node].velocity, 3, &velocity[width * number(node)]);
   };
   for (Index node = begin_; node < begin_ + owned_; ++node) {
     put(node);
   }
   std::ranges::for_each(ghosts_, put);
-  device_->displacement.write(displacement);
-  device_->velocity.write(velocity);
+  device_->motion.write(motion);
   load_memory(solid);
 }
 
 void AcceleratedSolid::save(std::span<solid::NodeState> state) const {
   std::vector<double> displacement(width * owned_), velocity(width * owned_);
-  device_->displacement.read(displacement);
-  device_->velocity.read(velocity);
+  device_->motion.read(displacement);
+  device_->motion.read(velocity, width * device_->all_nodes);
   for (Index node = 0; node < owned_; ++node) {
     std::copy_n(&displacement[width * node], 3, state[begin_ + node].displacement);
     std::copy_n(&velocity[width * node], 3, state[begin_ + node].velocity);
@@ -190,8 +201,8 @@ void AcceleratedSolid::save_memory(solid::Solid& solid) const {
 
 void AcceleratedSolid::read(NodeList& list, std::span<solid::NodeState> state) const {
   const std::size_t count = list.nodes.size();
-  device_->kernels.gather_motion({6 * count, 1, 1}, static_cast<int>(count), list.numbers_there, device_->displacement,
-                                 device_->velocity, list.values_there);
+  device_->kernels.gather_motion({6 * count, 1, 1}, static_cast<int>(count), device_->all_nodes, list.numbers_there,
+                                 device_->motion, list.values_there);
   list.values_there.read(list.values);
   for (std::size_t i = 0; i < count; ++i) {
     solid::NodeState& node = state[list.nodes[i]];
@@ -208,22 +219,21 @@ void AcceleratedSolid::write(NodeList& list, std::span<const solid::NodeState> s
     std::copy_n(node.velocity, 3, &list.values[6 * i + 3]);
   }
   list.values_there.write(list.values);
-  device_->kernels.scatter_motion({6 * count, 1, 1}, static_cast<int>(count), list.numbers_there, list.values_there,
-                                  device_->displacement, device_->velocity);
+  device_->kernels.scatter_motion({6 * count, 1, 1}, static_cast<int>(count), device_->all_nodes, list.numbers_there,
+                                  list.values_there, device_->motion);
 }
 
 void AcceleratedSolid::find_stress() {
   Device& on = *device_;
-  on.kernels.stress_points({on.points, 1, 1}, static_cast<int>(on.points), on.nodes, on.region, on.first_geometry,
-                           on.geometry, on.materials, step_, on.displacement, on.velocity, on.memory, on.flux);
+  on.kernels.stress_points({on.points, 1, 1}, static_cast<int>(on.points), on.all_nodes, on.nodes, on.elements,
+                           on.geometry, on.materials, step_, on.motion, on.memory, on.flux);
 }
 
 void AcceleratedSolid::advance(const solid::Kick& kick, Displacements displacements) {
   Device& on = *device_;
-  on.kernels.advance_nodes({static_cast<std::size_t>(owned_), 1, 1}, owned_, static_cast<int>(on.points),
-                           on.first_place, on.places, on.flux, on.inverse_mass, on.held, kick.keep, kick.gain,
-                           kick.gravity[0], kick.gravity[1], kick.gravity[2],
-                           displacements == Displacements::follow ? step_ : 0.0, on.velocity, on.displacement);
+  on.kernels.advance_nodes({static_cast<std::size_t>(owned_), 1, 1}, owned_, on.all_nodes, static_cast<int>(on.points),
+                           on.node_table, on.places, on.flux, kick.keep, kick.gain, kick.gravity[0], kick.gravity[1],
+                           kick.gravity[2], displacements == Displacements::follow ? step_ : 0.0, on.motion);
 }
 
 void AcceleratedSolid::push(NodeList& list, const solid::Kick& kick, std::span<const solid::NodeForce> force) {
@@ -232,13 +242,13 @@ void AcceleratedSolid::push(NodeList& list, const solid::Kick& kick, std::span<c
     std::copy_n(force[list.nodes[i]].component, 3, &list.values[3 * i]);
   }
   list.values_there.write(std::span<const double>(list.values).first(3 * count));
-  device_->kernels.push_nodes({count, 1, 1}, static_cast<int>(count), list.numbers_there, list.values_there,
-                              device_->inverse_mass, device_->held, kick.gain, device_->velocity);
+  device_->kernels.push_nodes({count, 1, 1}, static_cast<int>(count), device_->all_nodes, list.numbers_there,
+                              list.values_there, device_->node_table, kick.gain, device_->motion);
 }
 
 void AcceleratedSolid::displace() {
-  device_->kernels.displace_nodes({static_cast<std::size_t>(owned_), 1, 1}, owned_, step_, device_->velocity,
-                                  device_->displacement);
+  device_->kernels.displace_nodes({static_cast<std::size_t>(owned_), 1, 1}, owned_, device_->all_nodes, step_,
+                                  device_->motion);
 }
 
 }  // namespace idiophone::accelerated

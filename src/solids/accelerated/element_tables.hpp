@@ -12,7 +12,7 @@ namespace idiophone::accelerated {
 
 /// Geometry at quadrature points. An element whose Jacobian is the same at all points has it once.
 struct GeometryTable {
-  std::vector<Index> first;    ///< [elements] as stress_points() takes it
+  std::vector<Index> first;    ///< [elements] as ElementEntry::geometry
   std::vector<double> values;  ///< 10 numbers each
 };
 

@@ -49,7 +49,7 @@ std::string source(element::Type type, const LawSize& law) {
       law_in_material, material_length(law));
   text += element_tables(type);
   for (const std::string_view file :
-       {element::lines_through(type) > 0 ? hexahedra_file : tetrahedra_file, elements_file, nodes_file}) {
+       {element::lines_through(type) > 0 ? hexahedra_file : tetrahedra_file, entries_file, elements_file, nodes_file}) {
     text += file;
   }
   return text;

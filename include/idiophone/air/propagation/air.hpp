@@ -35,10 +35,15 @@ class Air {
   [[nodiscard]] virtual propagation::AirLoad* load() { return nullptr; }
 
   /// Takes what the surfaces emit at an audio sample to all receivers. No collective call that waits.
+  /// What an accelerator computes may still be on its way then, until finish() or the next call.
   /// @param motion  of the same surfaces at the same sample
   /// @throws std::runtime_error when a sound is not finite or too loud to be summed exactly
   virtual void propagate(std::int64_t sample, const surface::Emission& emission,
                          const surface::SurfaceMotion& motion) = 0;
+
+  /// Waits until all that was propagated has reached the receivers.
+  /// @throws std::runtime_error as propagate()
+  virtual void finish() {}
 
   /// Audio samples before this one are final once everything emitted up to `sample` was propagated.
   [[nodiscard]] virtual std::int64_t final_before(std::int64_t sample) const = 0;

@@ -55,7 +55,7 @@ class AudioPath {
 
   /// At the end of a block. Collective.
   /// @throws std::runtime_error, on all ranks, when a sound was not finite or too loud
-  void check() const;
+  void check();
 
   /// Takes out the audio samples that are final. Collective.
   /// @param most  audio samples to take out at the most, all calls together
@@ -69,6 +69,10 @@ class AudioPath {
   void archive(parallel::Archive& archive);
 
  private:
+  /// Keeps what it throws as problem_.
+  template <class Action>
+  void note_problem(const Action& action);
+
   scene::Acoustics acoustics_;
   parallel::Stages& stages_;
   MPI_Comm communicator_;

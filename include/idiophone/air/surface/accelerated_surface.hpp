@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "idiophone/air/surface/surface.hpp"
+#include "idiophone/foundation/accelerator/background_read.hpp"
 #include "idiophone/foundation/accelerator/kernel.hpp"
 
 namespace idiophone::surface {
@@ -55,6 +56,7 @@ class AcceleratedSurface {
     accelerator::Array<double> taps;      ///< see LowPass
     accelerator::Array<double> sums;      ///< [outputs][signals]
     accelerator::Array<double> complete;  ///< [signals] the last output that was completed
+    accelerator::BackgroundRead<double> read;
   };
 
   void filter_reads(int completes);

@@ -35,8 +35,17 @@ class EnclosingBox {
   /// How many patches all ranks have.
   [[nodiscard]] std::int32_t global_patches() const { return global_patches_; }
 
-  /// The air at the box now: surface_pressure and pressure_gradient. The rest does not change.
-  [[nodiscard]] const surface::Emission& emission();
+  /// Takes the pressures of the present. Does not wait for an accelerator.
+  void begin() { probe_->begin(); }
+  /// Waits for an accelerator.
+  /// @return the air at the box at the time of begin(): surface_pressure and pressure_gradient. The rest does not
+  ///         change
+  [[nodiscard]] const surface::Emission& finish();
+  /// Both.
+  [[nodiscard]] const surface::Emission& emission() {
+    begin();
+    return finish();
+  }
 
  private:
   void add_side(const Subdomain& subdomain, const Enclosure& enclosure, std::size_t axis, int end);
@@ -45,9 +54,8 @@ class EnclosingBox {
   std::vector<std::int32_t> numbers_;
   std::int32_t global_patches_ = 0;
   surface::Emission emission_;
-  std::vector<Index> cells_;      // [patches x 2] numbers of those inside and outside of the box
-  std::vector<float> pressures_;  // of these cells, Pa
-  std::unique_ptr<PressureProbe> probe_;
+  std::vector<Index> cells_;              // [patches x 2] numbers of those inside and outside of the box
+  std::unique_ptr<PressureProbe> probe_;  // of these cells
 };
 
 }  // namespace idiophone::waves

@@ -15,8 +15,17 @@ class PressureProbe {
   PressureProbe(PressureProbe&&) = delete;
   PressureProbe& operator=(PressureProbe&&) = delete;
 
-  /// @param pressures  [cells] now, Pa
-  virtual void read(std::span<float> pressures) = 0;
+  /// Takes the pressures of the present. Does not wait for an accelerator.
+  virtual void begin() = 0;
+  /// Waits for an accelerator.
+  /// @return [cells] at the time of begin(), Pa. They stay until the next begin()
+  [[nodiscard]] virtual std::span<const float> finish() = 0;
+
+  /// Both.
+  [[nodiscard]] std::span<const float> read() {
+    begin();
+    return finish();
+  }
 };
 
 }  // namespace idiophone::waves

@@ -50,7 +50,7 @@ class AcceleratedSolid {
 
   /// The place of a node of the body among the displacements there.
   [[nodiscard]] Index number(Index node) const;
-  /// [owned nodes of the body, then ghosts][4], m; the last number of each means nothing.
+  /// [owned nodes of the body, then ghosts][4], m; the last number of each means nothing. Velocities follow them.
   [[nodiscard]] const accelerator::Array<double>& displacements() const;
 
   /// The states of some nodes, from the accelerator and to it.

@@ -1,15 +1,20 @@
 // A step of nodes at surfaces. Their pressures follow those of so many `cells` in an array of pressures.
 
+/// As waves::Link.
+struct Link {
+  int to;
+  float area;
+};
+
 /// What the links of a node add to its rate.
-/// @param stiffness  C^2/V
-static float inflow_of_node(int node, int cells, global const int* first_link, global const int* to,
-                            global const float* area, global const float* stiffness, global const float* pressure) {
+static float inflow_of_node(int node, int cells, global const struct NodeTable* tables, global const struct Link* links,
+                            global const float* pressure) {
   const float here = pressure[cells + node];
   float flow = 0.0F;
-  for (int link = first_link[node]; link < first_link[node + 1]; ++link) {
-    flow += area[link] * (pressure[to[link]] - here);
+  for (int link = tables[node].first_link; link < tables[node + 1].first_link; ++link) {
+    flow += links[link].area * (pressure[links[link].to] - here);
   }
-  return stiffness[node] * flow;
+  return tables[node].stiffness * flow;
 }
 
 /// The pressure of a node after a step, for itself and for its cell.
@@ -23,12 +28,12 @@ static void publish_node(int node, int cells, int cell, float pressure, global f
 
 /// The rates of nodes without sources.
 /// @param gain  the new rates
-kernel void node_rates_at_rest(int nodes, int cells, global const int* first_link, global const int* to,
-                               global const float* area, global const float* stiffness, global const float* pressure,
-                               global const float* rate, global float* gain) {
+kernel void node_rates_at_rest(int nodes, int cells, global const struct NodeTable* tables,
+                               global const struct Link* links, global const float* pressure, global const float* rate,
+                               global float* gain) {
   const int node = get_global_id(0);
   if (node < nodes) {
-    gain[node] = rate[node] + inflow_of_node(node, cells, first_link, to, area, stiffness, pressure);
+    gain[node] = rate[node] + inflow_of_node(node, cells, tables, links, pressure);
   }
 }
 
@@ -98,11 +103,11 @@ kernel void cool_nodes(int nodes, int quantities, int cells, int advances, float
 }
 
 /// Pressures of nodes after a step in which walls took something.
-kernel void advance_nodes(int nodes, int cells, global const int* cell, global const float* pressure,
+kernel void advance_nodes(int nodes, int cells, global const struct NodeTable* tables, global const float* pressure,
                           global const float* change, global float* next) {
   const int node = get_global_id(0);
   if (node < nodes) {
-    publish_node(node, cells, cell[node], pressure[cells + node] + change[node], next);
+    publish_node(node, cells, tables[node].cell, pressure[cells + node] + change[node], next);
   }
 }
 

@@ -19,12 +19,17 @@ kernel void change_velocities(int signals, int steps, int samples, int oldest, c
   }
 }
 
+/// As waves::SurfaceSources::Piece.
+struct Piece {
+  int node, triangle;
+  float weight;
+};
+
 /// The sums of pieces of triangles in front of nodes.
 /// @param first_piece  of each node, and one more
-/// @param weight       of the triangle's change, for each piece
 /// @param sources      [steps x nodes]
-kernel void add_sources(int nodes, int steps, int triangles, global const int* first_piece, global const int* triangle,
-                        global const float* weight, global const float* change, global float* sources) {
+kernel void add_sources(int nodes, int steps, int triangles, global const int* first_piece,
+                        global const struct Piece* pieces, global const float* change, global float* sources) {
   const int i = get_global_id(0);
   if (i >= nodes * steps) {
     return;
@@ -32,7 +37,7 @@ kernel void add_sources(int nodes, int steps, int triangles, global const int* f
   const int step = i / nodes, node = i % nodes;
   float sum = 0.0F;
   for (int piece = first_piece[node]; piece < first_piece[node + 1]; ++piece) {
-    sum += weight[piece] * change[step * triangles + triangle[piece]];
+    sum += pieces[piece].weight * change[step * triangles + pieces[piece].triangle];
   }
   sources[i] = sum;
 }

@@ -87,32 +87,30 @@ static void stress_of(global const double* material, const double strain[6], dou
 
 /// w P (dxi/dX)^T at all quadrature points, where P is the first Piola-Kirchhoff stress, with the sign of a force on
 /// the body.
-/// @param first_geometry  of each element: number of its first geometry; of an element with one for all points, -1
-///                        less this number
-/// @param geometry        dxi_k/dX_j at [k][j], 1/m, and the determinant of the Jacobian: 10 numbers each
-/// @param step            s
-/// @param flux            [direction of xi][component][points]
-kernel void stress_points(int points, global const int* nodes, global const int* region,
-                          global const int* first_geometry, global const double* geometry,
-                          global const double* materials, double step, global const double4* displacement,
-                          global const double4* velocity, global double* memory, global double* flux) {
+/// @param all       nodes with ghosts: [2][all] displacements and velocities are the motion
+/// @param geometry  dxi_k/dX_j at [k][j], 1/m, and the determinant of the Jacobian: 10 numbers each
+/// @param step      s
+/// @param flux      [direction of xi][component][points]
+kernel void stress_points(int points, int all, global const int* nodes, global const struct ElementEntry* entries,
+                          global const double* geometry, global const double* materials, double step,
+                          global const double4* motion, global double* memory, global double* flux) {
   const int number = get_global_id(0);
   if (number >= points) {
     return;
   }
   const int element = number / POINTS, point = number % POINTS;
   global const int* here = nodes + (ulong)element * NODES;
-  const int first = first_geometry[element];
+  const int first = entries[element].geometry;
   global const double* inverse = geometry + 10 * (ulong)(first < 0 ? -1 - first : first + point);
   double4 slope[3];
   double h[3][3], v[3][3];
-  differentiate(point, here, displacement, slope);
+  differentiate(point, here, motion, slope);
   transform(slope, inverse, h);
 #if RATES
-  differentiate(point, here, velocity, slope);
+  differentiate(point, here, motion + all, slope);
   transform(slope, inverse, v);
 #endif
-  global const double* material = materials + region[element] * MATERIAL;
+  global const double* material = materials + entries[element].region * MATERIAL;
   double strain[6], stress[6];
   effective_strain(material, step, h, v, points, memory + number, strain);
   stress_of(material, strain, -weights[point] * inverse[9], stress);
