@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "idiophone/solids/motion/stable_step.hpp"
 #include "laboratory.hpp"
@@ -69,6 +70,7 @@ class AcceleratedBodyTest : public ::testing::Test {
     }
     const BodyMotion expected = here.observe(), measured = there.observe();
     EXPECT_LT(difference(there, here), rounding);
+    RecordProperty("difference_in_1e_12", std::to_string(1e12 * difference(there, here)));
     EXPECT_NEAR(measured.elastic, expected.elastic, 1e-8 * std::abs(expected.elastic));
     EXPECT_NEAR(measured.kinetic, expected.kinetic, 1e-8 * expected.kinetic);
     EXPECT_NEAR(there.motion->work().value(), here.motion->work().value(),

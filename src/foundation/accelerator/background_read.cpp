@@ -22,11 +22,9 @@ MemoryRead::MemoryRead(Accelerator& accelerator, std::size_t bytes) : accelerato
 }
 
 MemoryRead::~MemoryRead() {
-  if (auto* const arrived = static_cast<cl_event>(arrived_.get())) {
-    clWaitForEvents(1, &arrived);
-  }
-  clEnqueueUnmapMemObject(static_cast<cl_command_queue>(accelerator_->queue()), static_cast<cl_mem>(memory_.get()),
-                          bytes_, 0, nullptr, nullptr);
+  auto* const queue = static_cast<cl_command_queue>(accelerator_->queue());
+  clEnqueueUnmapMemObject(queue, static_cast<cl_mem>(memory_.get()), bytes_, 0, nullptr, nullptr);
+  clFinish(queue);
 }
 
 void MemoryRead::begin(const Memory& from) {
