@@ -18,6 +18,7 @@
 namespace idiophone::accelerator {
 namespace {
 
+using ::testing::Each;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
@@ -66,22 +67,30 @@ TEST_F(AcceleratorTest, KeepsNumbersInOrder) {
 }
 
 TEST_F(AcceleratorTest, ReadsNumbersInTheBackground) {
-  constexpr int length = 1 << 20;  // enough to be on the way for a while
-  std::vector<int> numbers(length);
-  Array<int> array(*accelerator_, length);
-  BackgroundRead<int> all(*accelerator_, length), first(*accelerator_, 3), none(*accelerator_, 0);
+  const Program program(*accelerator_,
+                        "kernel void turn(int times, global unsigned* numbers) {"
+                        "  const int i = get_global_id(0);"
+                        "  for (int n = 0; n < times; ++n) numbers[i] = numbers[i] * 1664525U + 1013904223U; }");
+  Kernel turn(program, "turn");
+  constexpr int times = 100'000;  // takes some milliseconds, in which nothing has arrived
+  Array<unsigned> array(*accelerator_, 128);
+  BackgroundRead<unsigned> all(*accelerator_, array.size()), first(*accelerator_, 3), none(*accelerator_, 0);
   EXPECT_THAT(none.finish(), IsEmpty());
-  for (int round = 0; round < 3; ++round) {
-    std::iota(numbers.begin(), numbers.end(), round);
-    array.write(numbers);
+  for (const unsigned begin : {0U, 1U}) {
+    array.write(std::vector<unsigned>(array.size(), begin));
+    turn({array.size(), 1, 1}, times, array);
     none.begin(array);
     all.begin(array);
     first.begin(array);
-    array.write(std::vector<int>(length, -1));  // these came later
-    EXPECT_THAT(first.finish(), ElementsAre(round, round + 1, round + 2));
-    const std::span<const int> found = all.finish();
-    EXPECT_TRUE(std::ranges::equal(found, numbers));
+    array.write(std::vector<unsigned>(array.size(), 7U));  // after these reads
+    unsigned expected = begin;
+    for (int n = 0; n < times; ++n) {
+      expected = expected * 1664525U + 1013904223U;
+    }
+    EXPECT_THAT(all.finish(), Each(expected));
+    EXPECT_THAT(first.finish(), ElementsAre(expected, expected, expected));
   }
+  turn({array.size(), 1, 1}, times, array);
   all.begin(array);  // on its way at the end
 }
 
