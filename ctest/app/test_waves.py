@@ -58,9 +58,10 @@ class Waves(program.TestCase):
     def test_an_accelerator_computes_the_same_sound_and_takes_turns_with_the_processor(self):
         self.require_an_accelerator()
         inside = "listeners.inside={type: mono, position: [0.01, 0.02, 0.05]}"  # of the box around the plate
-        for name, settings in (("back", (*BACK, "--set", "radiation.wall_losses=true")), ("ahead", (*WAVES, "--set", inside))):
+        ahead = *WAVES, "--set", inside, "--set", "time.duration=0.002"
+        for name, settings in (("back", (*BACK, "--set", "radiation.wall_losses=true")), ("ahead", ahead)):
             expected = program.contents(self.run_waves(settings, f"{name}_processor"))
-            self.run_in_jobs("simple", self.output / name, *settings, ranks=3 * (2, 1), options=(ACCELERATOR, ()))
+            self.run_in_jobs("simple", self.output / name, *settings, ranks=5 * (2, 1), options=(ACCELERATOR, ()))
             found = program.contents(self.output / name / "simple.h5")
             for path in expected:
                 if path.startswith("audio/"):

@@ -54,7 +54,7 @@ void AcceleratedSurface::Filter::load(LowPass& low_pass) {
 void AcceleratedSurface::Filter::save(LowPass& low_pass) const {
   std::vector<double> values(sums.size());
   sums.read(values);
-  std::ranges::rotate(values, values.begin() + static_cast<std::ptrdiff_t>(oldest * signals));
+  std::rotate(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(oldest * signals), values.end());
   for_each_sum(low_pass, signals, [&](std::size_t place, double& sum) { sum = values[place]; });
 }
 
