@@ -159,7 +159,7 @@ TEST_F(WaveAirTest, IsHeardAlikeFromAnAccelerator) {
   listen_at(Vector3(0.6, -0.5, 0.4));
   listen_at(Vector3(0.03, 0.031, -0.029));
   const auto expected = hear(MPI_COMM_WORLD, 1.0), heard = hear(MPI_COMM_WORLD, 1.0, accelerator.get());
-  for (std::size_t ear = 0; ear < heard.size(); ++ear) {
+  for (std::size_t ear = 0; rank() == 0 && ear < heard.size(); ++ear) {
     EXPECT_LT(error(heard[ear], [&](double sample) { return expected[ear][static_cast<std::size_t>(sample)]; }), 1e-5);
   }
 }
