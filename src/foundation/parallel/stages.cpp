@@ -1,6 +1,7 @@
 #include "idiophone/foundation/parallel/stages.hpp"
 
 #include <numeric>
+#include <utility>
 
 #include "idiophone/foundation/parallel/clock.hpp"
 #include "idiophone/foundation/parallel/petsc.hpp"
@@ -21,15 +22,23 @@ double Stages::total() const {
 }
 
 Stages::Scope::Scope(Stages& stages, Stage stage)
-    : seconds_(stages.seconds_[static_cast<std::size_t>(stage)]), is_logging_(stages.is_logging_), start_(wall_time()) {
-  if (is_logging_) {
+    : stages_(stages),
+      seconds_(stages.seconds_[static_cast<std::size_t>(stage)]),
+      outer_(std::exchange(stages.innermost_, this)),
+      start_(wall_time()) {
+  if (stages.is_logging_) {
     PetscLogStagePush(stages.log_stages_[static_cast<std::size_t>(stage)]);
   }
 }
 
 Stages::Scope::~Scope() {
-  seconds_ += wall_time() - start_;
-  if (is_logging_) {
+  const double seconds = wall_time() - start_;
+  seconds_ += seconds;
+  if (outer_ != nullptr) {
+    outer_->seconds_ -= seconds;
+  }
+  stages_.innermost_ = outer_;
+  if (stages_.is_logging_) {
     PetscLogStagePop();
   }
 }

@@ -27,7 +27,8 @@ class Stages {
     seconds_[static_cast<std::size_t>(to)] += seconds;
   }
 
-  /// Lasts as long as a piece of work of one stage; scopes do not nest.
+  /// Lasts as long as a piece of work of one stage. Within the scope of another stage, the time counts for this one
+  /// only.
   class Scope {
    public:
     Scope(Stages& stages, Stage stage);
@@ -36,13 +37,15 @@ class Stages {
     Scope& operator=(const Scope&) = delete;
 
    private:
+    Stages& stages_;
     double& seconds_;
-    bool is_logging_;
+    Scope* outer_;
     double start_;
   };
 
  private:
   std::array<double, stage_count> seconds_ = {};
+  Scope* innermost_ = nullptr;
   bool is_logging_ = false;
   std::array<PetscLogStage, stage_count> log_stages_ = {};
 };
