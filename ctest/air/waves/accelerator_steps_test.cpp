@@ -61,7 +61,21 @@ class WavesOnAccelerator : public testing::TestWithParam<Setting> {
 // With losses in an absorbing layer all around, and on a floor.
 INSTANTIATE_TEST_SUITE_P(, WavesOnAccelerator, testing::Values(settings().at(2), settings().at(3)));
 
+class WavesOnAcceleratorAndFloor : public WavesOnAccelerator {};
+INSTANTIATE_TEST_SUITE_P(, WavesOnAcceleratorAndFloor, testing::Values(settings().at(3)));
+
 ON_RANKS(1, 3);
+
+TEST_P(WavesOnAcceleratorAndFloor, FillSpaceThatOpensAtTheFloor) {
+  Pulsating here = on_processor(), there = on_accelerator();
+  const double floor = GetParam().grid.corner[2], radius = GetParam().radius, cell = GetParam().grid.cell;
+  for (Pulsating* one : {&here, &there}) {
+    one->set(Vector3(0.0, 0.0, floor + 0.6 * cell - radius));  // the lower part of cells is solid
+    one->advance(25);
+    one->set(Vector3(0.0, 0.0, floor + 0.3 * cell + radius));  // the upper part of the same cells
+  }
+  EXPECT_LT(difference(pressures(there.field()), pressures(here.field())), rounding);
+}
 
 TEST_P(WavesOnAccelerator, AreThoseOfTheProcessorWhateverMoves) {
   Pulsating here = on_processor(), there = on_accelerator();
@@ -112,6 +126,19 @@ TEST_P(WavesOnAccelerator, ShowThePressuresThatAProbeTookWhileStepsGoOn) {
       const std::span<const float> found = probe->finish();
       EXPECT_EQ(std::ranges::equal(found, expected), round == 0);
     }
+  }
+}
+
+TEST_P(WavesOnAccelerator, ShowOtherCellsToAProbe) {
+  Pulsating one = on_accelerator();
+  one.advance(25);
+  const std::vector<Index> cells = cells_of(one.field());
+  const std::vector<float> all = pressures(one.field());
+  const auto probe = one.field().probe(cells);
+  for (const std::size_t count : {std::size_t{5}, std::size_t{0}, cells.size() / 2}) {
+    const auto last = std::span(cells).last(count);
+    probe->set_cells(last);
+    EXPECT_TRUE(std::ranges::equal(probe->read(), std::span(all).last(count))) << count;
   }
 }
 

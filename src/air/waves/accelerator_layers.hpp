@@ -21,6 +21,12 @@ class AcceleratorLayers {
   /// The memory of the faces is now that after the step.
   void advance() { std::swap(faces, next_faces); }
 
+  // For the kernels:
+  int count;
+  int faces, next_faces, cells;  ///< places in the memory: of the faces before a step and after it, of the cells
+  accelerator::Array<LayerTable> tables;
+  accelerator::Array<float> decay, memory;
+
  private:
   struct Tables {
     std::vector<LayerTable> layers;
@@ -29,13 +35,6 @@ class AcceleratorLayers {
   };
   [[nodiscard]] static Tables make_tables(const std::vector<AbsorbingLayer>& layers);
   AcceleratorLayers(accelerator::Accelerator& accelerator, const Tables& tables);
-
- public:
-  // For the kernels:
-  int count;
-  int faces, next_faces, cells;  ///< places in the memory: of the faces before a step and after it, of the cells
-  accelerator::Array<LayerTable> tables;
-  accelerator::Array<float> decay, memory;
 };
 
 }  // namespace idiophone::waves

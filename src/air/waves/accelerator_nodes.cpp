@@ -38,15 +38,15 @@ std::vector<unsigned char> held_cells(const FieldState& state) {
 }  // namespace
 
 AcceleratorNodes::AcceleratorNodes(WaveKernels& kernels, const FieldState& state)
-    : kernels_(kernels),
+    : tables(kernels.program.accelerator(), node_tables(state)),
+      links(kernels.program.accelerator(), std::span<const Link>(state.cut_cells.links())),
+      rate(kernels.program.accelerator(), std::span(state.node_rate).first(state.cut_cells.own_nodes())),
+      held(kernels.program.accelerator(), held_cells(state)),
+      kernels_(kernels),
       cells_(state.subdomain.length()),
       nodes_(state.cut_cells.own_nodes()),
       change_(kernels.program.accelerator(), nodes_),
-      forecast_(kernels.program.accelerator(), nodes_),
-      tables(kernels.program.accelerator(), node_tables(state)),
-      links(kernels.program.accelerator(), std::span<const Link>(state.cut_cells.links())),
-      rate(kernels.program.accelerator(), std::span(state.node_rate).first(nodes_)),
-      held(kernels.program.accelerator(), held_cells(state)) {
+      forecast_(kernels.program.accelerator(), nodes_) {
   if (state.losses) {
     losses_.emplace(kernels, *state.losses, cells_, nodes_);
   }

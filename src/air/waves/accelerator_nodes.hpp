@@ -26,6 +26,12 @@ class AcceleratorNodes {
   /// @param state  with the surfaces of the beginning
   void save(FieldState& state) const;
 
+  // For the kernels:
+  accelerator::Array<NodeTable> tables;
+  accelerator::Array<Link> links;
+  accelerator::Array<float> rate;          ///< [nodes]
+  accelerator::Array<unsigned char> held;  ///< whether a cell has the pressure of a node, or is solid: [cells]
+
  private:
   [[nodiscard]] accelerator::Range range() const { return {static_cast<std::size_t>(nodes_), 1, 1}; }
 
@@ -33,13 +39,6 @@ class AcceleratorNodes {
   int cells_, nodes_;                            // length of an array of cells; nodes of the subdomain
   accelerator::Array<float> change_, forecast_;  // [nodes]
   std::optional<AcceleratorLosses> losses_;
-
- public:
-  // For the kernels:
-  accelerator::Array<NodeTable> tables;
-  accelerator::Array<Link> links;
-  accelerator::Array<float> rate;          ///< [nodes]
-  accelerator::Array<unsigned char> held;  ///< whether a cell has the pressure of a node, or is solid: [cells]
 };
 
 }  // namespace idiophone::waves

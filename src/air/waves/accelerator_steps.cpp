@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "idiophone/foundation/accelerator/background_read.hpp"
+#include "step_table.hpp"
 
 namespace idiophone::waves {
 
@@ -15,19 +16,27 @@ class AcceleratorProbe : public PressureProbe {
                    const accelerator::Array<float>& pressure, const std::vector<Index>& cells)
       : kernels_(kernels),
         pressure_(pressure),
+        count_(cells.size()),
         cells_(accelerator, cells),
         values_(accelerator, cells.size()),
         read_(accelerator, cells.size()) {}
 
-  void begin() override {
-    kernels_.gather({cells_.size(), 1, 1}, static_cast<int>(cells_.size()), cells_, pressure_, values_);
-    read_.begin(values_);
+  void set_cells(std::span<const Index> cells) override {
+    cells_.write(cells);
+    count_ = cells.size();
   }
-  std::span<const float> finish() override { return read_.finish(); }
+  void begin() override {
+    if (count_ > 0) {
+      kernels_.gather({count_, 1, 1}, static_cast<int>(count_), cells_, pressure_, values_);
+      read_.begin(values_);
+    }
+  }
+  std::span<const float> finish() override { return read_.finish().first(count_); }
 
  private:
   WaveKernels& kernels_;
   const accelerator::Array<float>& pressure_;
+  std::size_t count_;
   accelerator::Array<Index> cells_;
   accelerator::Array<float> values_;
   accelerator::BackgroundRead<float> read_;
@@ -82,20 +91,36 @@ void AcceleratorSteps::step(const SurfaceSources& sources, const VelocityHistory
     sources_.emplace(kernels_, sources, own, velocities.steps());
   }
   advance(sources_->of(*velocities_), step * own);
+  if (step + 1 == velocities.steps()) {
+    accelerator_.flush();
+  }
 }
 
 void AcceleratorSteps::advance(const accelerator::Array<float>& sources, int place) {
   const Subdomain& all = state_.subdomain;
   AcceleratorNodes& nodes = this->nodes();
   const int width = all.cells().width(0), height = all.cells().width(1), depth = all.cells().width(2);
-  const int node_planes = (nodes.own() + width * height - 1) / (width * height);
-  kernels_.step_field({static_cast<std::size_t>(width), static_cast<std::size_t>(height),
-                       static_cast<std::size_t>(node_planes) + static_cast<std::size_t>(depth)},
-                      width, height, depth, node_planes, nodes.own(), all.length(), all.number(all.cells().from),
-                      all.stride(1), all.stride(2), all.is_on_floor() ? 1 : 0, nodes.is_lossy() ? 0 : 1,
-                      state_.courant * state_.courant, layers_.count, layers_.tables, layers_.decay, layers_.faces,
-                      layers_.next_faces, layers_.cells, layers_.memory, nodes.held, nodes.tables, nodes.links, place,
-                      sources, nodes.rate, pressure_, rate_, pending_);
+  const StepTable step{.width = width,
+                       .height = height,
+                       .depth = depth,
+                       .first = all.number(all.cells().from),
+                       .row = all.stride(1),
+                       .plane = all.stride(2),
+                       .cells = all.length(),
+                       .mirrored = all.is_on_floor() ? 1 : 0,
+                       .square = state_.courant * state_.courant,
+                       .layers = layers_.count,
+                       .faces = layers_.faces,
+                       .next_faces = layers_.next_faces,
+                       .cell_memory = layers_.cells,
+                       .nodes = nodes.own(),
+                       .node_planes = (nodes.own() + width * height - 1) / (width * height),
+                       .nodes_advance = nodes.is_lossy() ? 0 : 1,
+                       .first_source = place};
+  const auto planes = static_cast<std::size_t>(step.node_planes) + static_cast<std::size_t>(depth);
+  kernels_.step_field({static_cast<std::size_t>(width), static_cast<std::size_t>(height), planes}, step, layers_.tables,
+                      layers_.decay, layers_.memory, nodes.held, nodes.tables, nodes.links, sources, nodes.rate,
+                      pressure_, rate_, pending_);
   layers_.advance();
   if (nodes.is_lossy()) {
     nodes.take_losses(pressure_, pending_);
@@ -134,6 +159,7 @@ void AcceleratorSteps::save() {
   rate_.read(state_.rate);
   layers_.save(state_.updates.front().layers());
   nodes().save(state_);
+  state_.publish_nodes();  // step_field() leaves out the mirror images of cells with nodes
 }
 
 void AcceleratorSteps::load() {

@@ -11,8 +11,9 @@
 
 namespace idiophone::waves {
 
-/// All arrays stay on the accelerator. In an audio sample, the velocities of the surfaces go there. With several ranks,
-/// the pressures at the faces of the subdomain come back in each step and go to the neighbours.
+/// All arrays stay on the accelerator. What goes there is the velocities of the surfaces, once in an audio sample, or
+/// what they add to the nodes in each step. With several ranks, the pressures at the faces of the subdomain come back
+/// in each step, and those of the ghost cells go there.
 class AcceleratorSteps final : public FieldSteps {
  public:
   /// @param state     with the whole subdomain as one box; must outlive this object, as must the others
@@ -45,7 +46,7 @@ class AcceleratorSteps final : public FieldSteps {
   void exchange_faces(accelerator::Array<float>& pressure);
 
   accelerator::Accelerator& accelerator_;
-  mutable WaveKernels kernels_;  // a kernel keeps its arguments until it begins
+  mutable WaveKernels kernels_;  // a call changes the arguments that a kernel keeps
   FieldState& state_;
   FaceExchange& exchange_;
   AcceleratorLayers layers_;

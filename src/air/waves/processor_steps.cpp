@@ -14,6 +14,10 @@ class ProcessorProbe : public PressureProbe {
   ProcessorProbe(const std::vector<float>& field, std::vector<Index> cells)
       : field_(field), cells_(std::move(cells)), values_(cells_.size()) {}
 
+  void set_cells(std::span<const Index> cells) override {
+    cells_.assign(cells.begin(), cells.end());
+    values_.resize(cells.size());
+  }
   void begin() override {
     std::ranges::transform(cells_, values_.begin(), [this](Index cell) { return field_[cell]; });
   }

@@ -6,6 +6,6 @@
 
 namespace idiophone::waves {
 
-extern const std::array<std::string_view, 8> kernel_files;  ///< in the order in which they are compiled
+extern const std::array<std::string_view, 9> kernel_files;  ///< in the order in which they are compiled
 
 }  // namespace idiophone::waves

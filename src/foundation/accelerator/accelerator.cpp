@@ -122,6 +122,10 @@ Accelerator::Accelerator(const std::string& wish, int turn) {
   require_success(status, "make a queue");
 }
 
+void Accelerator::flush() {
+  require_success(clFlush(static_cast<cl_command_queue>(queue())), "begin");
+}
+
 void Accelerator::keep(Handle arrived, std::vector<std::byte> bytes) {
   on_the_way_.push_back({std::move(arrived), std::move(bytes)});
   const auto has_arrived = [](const Parcel& parcel) {

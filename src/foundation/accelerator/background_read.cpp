@@ -37,7 +37,7 @@ void MemoryRead::begin(const Memory& from) {
                                       nullptr, &arrived),
                   "read an array");
   arrived_ = owned(arrived, &clReleaseEvent);
-  require_success(clFlush(queue), "begin");
+  accelerator_->flush();
 }
 
 void MemoryRead::finish() {

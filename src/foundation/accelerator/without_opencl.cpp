@@ -24,6 +24,10 @@ Accelerator::Accelerator(const std::string& /*wish*/, int /*turn*/) {
 
 // There is no accelerator that these could be called with.
 
+void Accelerator::flush() {
+  refuse();
+}
+
 Memory::Memory(Accelerator& accelerator, std::size_t /*bytes*/) : accelerator_(&accelerator), number_(0) {
   refuse();
 }

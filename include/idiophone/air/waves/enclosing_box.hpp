@@ -38,8 +38,8 @@ class EnclosingBox {
   /// Takes the pressures of the present. Does not wait for an accelerator.
   void begin() { probe_->begin(); }
   /// Waits for an accelerator.
-  /// @return the air at the box at the time of begin(): surface_pressure and pressure_gradient. The rest does not
-  ///         change
+  /// @return the air at the box at the time of begin(): surface_pressure and pressure_gradient, which stay until the
+  ///         next finish(). The rest does not change
   [[nodiscard]] const surface::Emission& finish();
   /// Both.
   [[nodiscard]] const surface::Emission& emission() {

@@ -3,6 +3,8 @@
 
 #include <span>
 
+#include "idiophone/foundation/types.hpp"
+
 namespace idiophone::waves {
 
 /// Cells whose pressures are read together.
@@ -14,6 +16,10 @@ class PressureProbe {
   PressureProbe& operator=(const PressureProbe&) = delete;
   PressureProbe(PressureProbe&&) = delete;
   PressureProbe& operator=(PressureProbe&&) = delete;
+
+  /// Reads these cells from now on. To be called before begin(), or after finish().
+  /// @param cells  at most as many as at the beginning
+  virtual void set_cells(std::span<const Index> cells) = 0;
 
   /// Takes the pressures of the present. Does not wait for an accelerator.
   virtual void begin() = 0;

@@ -27,6 +27,9 @@ class Accelerator {
   /// Whether it computes in double precision. Not all graphics cards do.
   [[nodiscard]] bool has_doubles() const { return has_doubles_; }
 
+  /// Makes it begin with what it has been told to do. Without this, drivers may wait for more.
+  void flush();
+
   // For arrays and kernels:
   [[nodiscard]] void* device() const { return device_; }
   [[nodiscard]] void* context() const { return context_.get(); }

@@ -35,7 +35,7 @@ class Kernel {
   Kernel(const Program& program, const char* name);
 
   /// Begins when all that the accelerator was told before is done; does not wait. An empty range is left out.
-  /// @param arguments  arrays of this accelerator, and numbers of the types that the function takes
+  /// @param arguments  arrays of this accelerator, and numbers and structures of the types that the function takes
   template <class... Arguments>
   void operator()(const Range& range, const Arguments&... arguments) {
     unsigned place = 0;
@@ -46,7 +46,7 @@ class Kernel {
  private:
   /// As OpenCL knows it.
   struct Argument {
-    std::array<std::byte, 8> value{};  ///< a number or a handle
+    std::array<std::byte, 80> value{};  ///< a number, a structure of numbers or a handle
     std::size_t bytes = 0;
     std::uint64_t memory = 0;  ///< of the handle
     bool operator==(const Argument&) const = default;
@@ -58,9 +58,11 @@ class Kernel {
     set(place, sizeof(handle), &handle, array.memory().number());
   }
   template <class T>
-  void set(unsigned place, const T& number) {
-    static_assert(std::is_same_v<T, int> || std::is_same_v<T, float> || std::is_same_v<T, double>);
-    set(place, sizeof(T), &number, 0);
+  void set(unsigned place, const T& value) {
+    static_assert(std::is_same_v<T, int> || std::is_same_v<T, float> || std::is_same_v<T, double> ||
+                  (std::is_class_v<T> && std::is_trivially_copyable_v<T>));
+    static_assert(sizeof(T) <= sizeof(Argument::value));
+    set(place, sizeof(T), &value, 0);
   }
   /// @param memory  that the value is the handle of; 0: it is a number
   void set(unsigned place, std::size_t bytes, const void* value, std::uint64_t memory);

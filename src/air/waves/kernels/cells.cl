@@ -40,18 +40,19 @@ static float stretched_inflow(constant struct LayerTable* layer, int x, int y, i
 }
 
 /// The rate of a cell after a step, if it is one of open air. Advances the memory of the layers.
-/// @param here  the pressure of the cell; rows and planes of such pressures are so long
-/// @param rate  before the step
-static float rate_of_cell(int x, int y, int z, int row, int plane, float square, int layers,
-                          constant struct LayerTable* tables, global const float* decay, global const float* faces,
-                          global float* next_faces, global float* cell_memory, global const float* here, float rate) {
-  for (constant struct LayerTable* layer = tables; layer < tables + layers; ++layer) {
+/// @param memory  of the layers
+/// @param here    the pressure of the cell, among the others
+/// @param rate    before the step
+static float rate_of_cell(int x, int y, int z, struct StepTable step, constant struct LayerTable* layers,
+                          global const float* decay, global float* memory, global const float* here, float rate) {
+  for (constant struct LayerTable* layer = layers; layer < layers + step.layers; ++layer) {
     if (x >= layer->from[0] && x < layer->to[0] && y >= layer->from[1] && y < layer->to[1] && z >= layer->from[2] &&
         z < layer->to[2]) {
-      rate += square * stretched_inflow(layer, x, y, z, decay, here, faces, next_faces, cell_memory);
+      rate += step.square * stretched_inflow(layer, x, y, z, decay, here, memory + step.faces,
+                                             memory + step.next_faces, memory + step.cell_memory);
     }
   }
-  return rate + square * inflow_of_cell(inflow_along(*here, here[-1], here[1]),
-                                        inflow_along(*here, here[-row], here[row]),
-                                        inflow_along(*here, here[-plane], here[plane]));
+  return rate + step.square * inflow_of_cell(inflow_along(*here, here[-1], here[1]),
+                                             inflow_along(*here, here[-step.row], here[step.row]),
+                                             inflow_along(*here, here[-step.plane], here[step.plane]));
 }
