@@ -10,6 +10,8 @@ MODAL = ("--set", "bodies.plate.model={type: modal, up_to: 1000}", "--set", "loa
          "--set", "bodies.other={mesh: ../../../meshes/square_plate.geo, parameters: {side: 0.2, thickness: 0.02, "
          "size: 0.05}, element: tet10, material: rubber, position: [0, 0, 0.08]}")
 
+INSIDE = "--set", "listeners.inside={type: mono, position: [0.01, 0.02, 0.05]}"  # of the box around the plate
+
 ACCELERATOR = ("--accelerator", "0")  # any OpenCL device; pocl-opencl-icd is one without hardware
 
 
@@ -18,13 +20,18 @@ class Waves(program.TestCase):
         self.require_status(program.run("simple", self.output / folder, *settings, ranks=ranks), program.FINISHED)
         return self.output / folder / "simple.h5"
 
+    def sounds_of(self, contents):
+        """Paths of all that is heard, none of which is silence."""
+        sounds = [path for path in contents if path.startswith("audio/")]
+        self.assertTrue(sounds)
+        for path in sounds:
+            self.assertGreater(abs(contents[path]).max(), 0, path)
+        return sounds
+
     def require_the_same_bits(self, settings, ranks):
         """On so many ranks, and from the checkpoints of jobs that are stopped."""
         expected = program.contents(self.run_waves(settings, "one"))
-        sounds = [path for path in expected if path.startswith("audio/")]
-        self.assertTrue(sounds)
-        for path in sounds:
-            self.assertGreater(abs(expected[path]).max(), 0, path)
+        self.sounds_of(expected)
         for n in ranks:
             self.require_same(self.run_waves(settings, f"on_{n}", ranks=n), expected)
         self.run_in_jobs("simple", self.output / "stopped", *settings, ranks=5 * (2, 1))
@@ -57,16 +64,14 @@ class Waves(program.TestCase):
 
     def test_an_accelerator_computes_the_same_sound_and_takes_turns_with_the_processor(self):
         self.require_an_accelerator()
-        inside = "listeners.inside={type: mono, position: [0.01, 0.02, 0.05]}"  # of the box around the plate
-        ahead = *WAVES, "--set", inside, "--set", "time.duration=0.002"
+        ahead = *WAVES, *INSIDE, "--set", "time.duration=0.002"
         for name, settings in (("back", (*BACK, "--set", "radiation.wall_losses=true")), ("ahead", ahead)):
             expected = program.contents(self.run_waves(settings, f"{name}_processor"))
             self.run_in_jobs("simple", self.output / name, *settings, ranks=5 * (2, 1), options=(ACCELERATOR, ()))
             found = program.contents(self.output / name / "simple.h5")
-            for path in expected:
-                if path.startswith("audio/"):
-                    error = abs(found[path] - expected[path]).max() / abs(expected[path]).max()
-                    self.assertLess(error, 1e-4, (name, path))  # 0.01 dB would be 1e-3
+            for path in self.sounds_of(expected):
+                error = abs(found[path] - expected[path]).max() / abs(expected[path]).max()
+                self.assertLess(error, 1e-4, (name, path))  # 0.01 dB would be 1e-3
 
     def test_a_recording_has_felt_the_air_and_refuses_it(self):
         self.run_waves((*BACK, "--set", "output.surface_motion=true"), "recorded")
@@ -95,6 +100,11 @@ class Waves(program.TestCase):
         self.assertRegex(job.stdout + job.stderr, r"waves: levels hold up to 1143 Hz")
         self.assertRegex(job.stdout + job.stderr, r"body \w+: 0\.\d cells across its thinnest part .* radiation.cell: 0.0")
         self.assertRegex(job.stdout + job.stderr, r"as the tines of a fork, can be off by more than 3 dB below \d+ Hz")
+
+    def test_the_check_refuses_what_a_run_cannot_hear(self):
+        job = program.idiophone("check", program.deck("simple"), *BACK, *INSIDE)
+        self.require_status(job, program.FAILED)
+        self.assertIn("a listener must not be inside the box around the bodies", job.stderr)
 
     def test_keys_that_other_models_do_not_have(self):
         for radiation, answer in (("{model: waves}", "the key 'cell' is missing"),

@@ -53,7 +53,9 @@ void AudioPath::note_problem(const Action& action) {
   try {
     action();
   } catch (const std::runtime_error& error) {
-    problem_ = error.what();
+    if (problem_.empty()) {
+      problem_ = error.what();
+    }
   }
 }
 
@@ -71,8 +73,12 @@ void AudioPath::hear(const surface::SurfaceMotion& motion) {
   note_problem([this, &motion] { air_->propagate(emitted_, emission_, motion); });
 }
 
-void AudioPath::check() {
+void AudioPath::finish() {
   note_problem([this] { air_->finish(); });
+}
+
+void AudioPath::check() {
+  finish();
   parallel::agree(communicator_, problem_.empty() ? "" : "the motion can't be heard: " + problem_);
 }
 
@@ -81,6 +87,7 @@ std::vector<std::vector<double>> AudioPath::take(std::int64_t most) {
   if (final_samples <= taken_) {
     return {};
   }
+  finish();
   std::vector<std::vector<double>> sounds = air_->take(final_samples - taken_);
   taken_ = final_samples;
   for (const std::vector<double>& sound : sounds) {
@@ -92,6 +99,7 @@ std::vector<std::vector<double>> AudioPath::take(std::int64_t most) {
 }
 
 void AudioPath::archive(parallel::Archive& archive) {
+  finish();
   emitter_.archive(archive, triangle_rows_);
   air_->archive(archive);
   archive.root("listening/emitted", emitted_);

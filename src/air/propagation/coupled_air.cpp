@@ -4,8 +4,6 @@
 #include <array>
 #include <stdexcept>
 
-#include "idiophone/foundation/parallel/clock.hpp"
-
 namespace idiophone::propagation {
 
 namespace {
@@ -57,7 +55,7 @@ void CoupledAir::find_near() {
 }
 
 void CoupledAir::advance(std::span<const double> changes, std::span<double> force, std::span<double> resistance) {
-  const double begin = parallel::wall_time();
+  const parallel::Stages::Scope stage(stages_, parallel::Stage::radiation);
   if (step_ == 0) {
     move_surfaces();
   }
@@ -70,7 +68,6 @@ void CoupledAir::advance(std::span<const double> changes, std::span<double> forc
   exchange_->return_forces(grid_.forces(), force, resistance);
   filter(step_++);
   std::ranges::transform(resistance, resistance.begin(), [this](double area) { return impedance_ * area; });
-  stages_.move(parallel::Stage::motion, parallel::Stage::radiation, parallel::wall_time() - begin);
 }
 
 void CoupledAir::move_surfaces() {
@@ -109,14 +106,18 @@ void CoupledAir::propagate(std::int64_t sample, const surface::Emission& /*emiss
   pressure_.take(heard_.surface_pressure);
   gradient_.take(heard_.pressure_gradient);
   grid_.send_positions(sample, motion);
-  ears_.hear(sample - latency_, heard_, nullptr, [this](const Vector3& place) -> std::optional<Ears::LocalSounds> {
+  require_outside(ears_.positions(sample - latency_));
+  ears_.hear(sample - latency_, heard_, nullptr);
+}
+
+void CoupledAir::require_outside(std::span<const Vector3> ears) const {
+  for (const Vector3& place : ears) {
     if (grid_.plan().enclosure.contains(grid_.plan().grid.in_cells(place))) {
       throw std::runtime_error(
           "with radiation: {back: true}, a listener must not be inside the box around the bodies; move it away by "
           "three cells and radiation.margin, or more");
     }
-    return {};
-  });
+  }
 }
 
 void CoupledAir::archive(parallel::Archive& archive) {

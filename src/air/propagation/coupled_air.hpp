@@ -4,6 +4,7 @@
 #include <mpi.h>
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -55,6 +56,7 @@ class CoupledAir : public Air, public propagation::AirLoad {
   void find_near();
   void step(std::span<const double> changes);
   void filter(int step);
+  void require_outside(std::span<const Vector3> ears) const;
 
   double impedance_;  // of the air, Pa s/m
   parallel::Stages& stages_;

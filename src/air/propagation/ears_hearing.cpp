@@ -10,15 +10,15 @@
 namespace idiophone::propagation {
 
 void Ears::hear(std::int64_t sample, const surface::Emission& emission, const LineOfSight* sight,
-                const SoundAt& sound_at, const surface::Emission* late_emission) {
+                std::span<const std::optional<LocalSounds>> local_sounds, const surface::Emission* late_emission) {
   const bool in_room = acoustics_.radiation.room.has_value();
   if (in_room) {
     require_inside(sample, emission);
   }
   for (std::size_t e = 0; e < ears_.size(); ++e) {
     const Stand straight = stand(sample, ears_[e]);
-    if (const auto sounds = sound_at ? sound_at(straight.receiver.position) : std::nullopt) {
-      hear_here(sample, *sounds, ears_[e].ear);
+    if (!local_sounds.empty() && local_sounds[e]) {
+      hear_here(sample, *local_sounds[e], ears_[e].ear);
       if (!in_room) {
         continue;
       }

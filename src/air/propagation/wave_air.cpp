@@ -1,6 +1,7 @@
 #include "wave_air.hpp"
 
 #include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 #include "idiophone/foundation/parallel/communicator.hpp"
@@ -38,20 +39,48 @@ void WaveAir::propagate(std::int64_t sample, const surface::Emission& emission, 
   for (int step = 0; step < grid_.plan().steps; ++step) {
     grid_.step(history_, step);
   }
-  finish();  // while an accelerator takes these steps
-  unheard_ = sample - latency();
+  const std::optional<Arrived> before = wait_for_pressures();
+  begin_reads(sample - latency());
+  if (before) {
+    hear(*before);  // while an accelerator takes these steps
+  }
+}
+
+void WaveAir::begin_reads(std::int64_t sample) {
   grid_.begin_emission();
-  local_pressures_.begin(ears_.positions(*unheard_));
+  local_pressures_.begin(ears_.positions(sample));
+  on_the_way_ = sample;
+}
+
+std::optional<WaveAir::Arrived> WaveAir::wait_for_pressures() {
+  if (!on_the_way_) {
+    return {};
+  }
+  const std::int64_t sample = *std::exchange(on_the_way_, std::nullopt);
+  local_pressures_.finish();
+  return Arrived{sample, grid_.finish_emission()};
+}
+
+void WaveAir::hear(const Arrived& arrived) {
+  ears_.hear(arrived.sample, arrived.emission, nullptr, local_pressures_.sounds());
 }
 
 void WaveAir::finish() {
-  if (!unheard_) {
-    return;
+  const parallel::Stages::Scope stage(stages_, parallel::Stage::radiation);
+  if (const std::optional<Arrived> arrived = wait_for_pressures()) {
+    hear(*arrived);
   }
-  const std::int64_t sample = *std::exchange(unheard_, std::nullopt);
-  const surface::Emission& emission = grid_.finish_emission();
-  local_pressures_.finish();
-  ears_.hear(sample, emission, nullptr, [this](const Vector3& place) { return local_pressures_.at(place); });
+}
+
+void WaveAir::require_finished() const {
+  if (on_the_way_) {
+    throw std::logic_error("WaveAir: finish() comes before take() and archive()");
+  }
+}
+
+std::vector<std::vector<double>> WaveAir::take(std::size_t count) {
+  require_finished();
+  return ears_.take(count, communicator_);
 }
 
 std::vector<float> WaveAir::own_pressures(const std::vector<double>& padded) const {
@@ -79,7 +108,7 @@ void WaveAir::receive() {
 }
 
 void WaveAir::archive(parallel::Archive& archive) {
-  finish();
+  require_finished();
   receive();
   grid_.archive(archive);
   std::vector<double> pressures = history_.samples();

@@ -38,16 +38,23 @@ class WaveAir : public Air {
   [[nodiscard]] std::int64_t final_before(std::int64_t sample) const override {
     return ears_.final_before(sample - latency());
   }
-  [[nodiscard]] std::vector<std::vector<double>> take(std::size_t count) override {
-    finish();
-    return ears_.take(count, communicator_);
-  }
+  [[nodiscard]] std::vector<std::vector<double>> take(std::size_t count) override;
   void archive(parallel::Archive& archive) override;
 
  private:
   /// The waves are at an audio sample so many before the newest emission.
   [[nodiscard]] static std::int64_t latency() { return waves::VelocityHistory::latency() + 1; }
   void receive();
+  /// Pressures of the grid at an audio sample, at the box; LocalPressures::sounds() are of the same moment.
+  struct Arrived {
+    std::int64_t sample;
+    const surface::Emission& emission;
+  };
+  /// Begins to read the pressures of the present, which are those of this audio sample.
+  void begin_reads(std::int64_t sample);
+  [[nodiscard]] std::optional<Arrived> wait_for_pressures();
+  void hear(const Arrived& arrived);
+  void require_finished() const;
   [[nodiscard]] std::vector<float> own_pressures(const std::vector<double>& padded) const;
   [[nodiscard]] std::vector<float> in_global_order(std::span<const float> gathered) const;
 
@@ -60,8 +67,8 @@ class WaveAir : public Air {
   bool sending_ = false;
   waves::VelocityHistory history_;
   Ears ears_;
-  LocalPressures local_pressures_;       // at the ears
-  std::optional<std::int64_t> unheard_;  // audio sample of which the grid's pressures are on their way to the ears
+  LocalPressures local_pressures_;          // at the ears
+  std::optional<std::int64_t> on_the_way_;  // audio sample of which the grid's pressures are being read
 };
 
 }  // namespace idiophone::propagation

@@ -150,6 +150,7 @@ RehearsedSample rehearse(const bodies::Preparation& ready, double step_seconds, 
       source.advance(motion);
       air.hear(motion);
     }
+    air.check();
     static_cast<void>(air.take(no_limit));
   };
   advance(1);

@@ -1,6 +1,6 @@
 #pragma once
-// The air: from what surfaces emit to what receivers hear (paper, section 3.3). Straight paths today; waves on a grid
-// are another kind.
+// The air: from what surfaces emit to what receivers hear (paper, section 3.3). Sound goes along straight paths, or as
+// waves on a grid.
 
 #include <cstdint>
 #include <string>
@@ -48,11 +48,12 @@ class Air {
   /// Audio samples before this one are final once everything emitted up to `sample` was propagated.
   [[nodiscard]] virtual std::int64_t final_before(std::int64_t sample) const = 0;
 
-  /// Takes the next `count` audio samples out, summed over the ranks, from audio sample 0 on. Collective.
+  /// Takes the next `count` audio samples out, summed over the ranks, from audio sample 0 on. To be called after
+  /// finish(). Collective.
   /// @return [listeners][receivers x count] on rank 0, a sample's receivers side by side
   [[nodiscard]] virtual std::vector<std::vector<double>> take(std::size_t count) = 0;
 
-  /// All that decides the future. Restoring takes the place of start(). Collective.
+  /// All that decides the future. To be called after finish(). Restoring takes the place of start(). Collective.
   virtual void archive(parallel::Archive& archive) = 0;
 };
 

@@ -57,7 +57,7 @@ class AudioPath {
   /// @throws std::runtime_error, on all ranks, when a sound was not finite or too loud
   void check();
 
-  /// Takes out the audio samples that are final. Collective.
+  /// Takes out the audio samples that are final. A problem is kept until check(). Collective.
   /// @param most  audio samples to take out at the most, all calls together
   /// @return [listeners][receivers x samples] on rank 0, a sample's receivers side by side; empty if there is none
   [[nodiscard]] std::vector<std::vector<double>> take(std::int64_t most);
@@ -69,9 +69,10 @@ class AudioPath {
   void archive(parallel::Archive& archive);
 
  private:
-  /// Keeps what it throws as problem_.
+  /// Keeps what it throws as problem_, if this is the first problem.
   template <class Action>
   void note_problem(const Action& action);
+  void finish();
 
   scene::Acoustics acoustics_;
   parallel::Stages& stages_;

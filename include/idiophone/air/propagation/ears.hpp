@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "idiophone/air/propagation/body_frames.hpp"
@@ -34,8 +35,6 @@ class Ears {
   using LocalSounds = std::array<double, 8>;
   /// What is emitted along a path: 0 is the direct one, then come the reflections.
   using EmissionOn = std::function<const surface::Emission&(std::size_t path)>;
-  /// The sound at a place in the air that is known as it is; none elsewhere.
-  using SoundAt = std::function<std::optional<LocalSounds>(const Vector3& place)>;
 
   /// @param first      audio sample of the first emission that will be heard
   /// @param triangles  of this rank's surface
@@ -52,13 +51,14 @@ class Ears {
   /// Radiates what the surface emitted at an audio sample to every receiver, by way of the floor or of the walls of the
   /// room as well. No communication.
   /// @param sight  visibility for each ear, and for reflections where it has them; null: everything is visible
-  /// @param sound_at  ears where it knows the sound hear that instead, from all directions, and with it the floor's
-  ///                  reflection; null: nowhere
+  /// @param local_sounds  [ear_count()] ears where the sound is known as it is hear that instead, from all directions,
+  ///                      and with it the floor's reflection; empty: nowhere
   /// @param late_emission  what the late field of a room gets instead; null: the emission
   /// @throws std::runtime_error when a sound is not finite or too loud to be summed exactly, such an ear is a head, or
   ///         something is outside the room
   void hear(std::int64_t sample, const surface::Emission& emission, const LineOfSight* sight,
-            const SoundAt& sound_at = {}, const surface::Emission* late_emission = nullptr);
+            std::span<const std::optional<LocalSounds>> local_sounds = {},
+            const surface::Emission* late_emission = nullptr);
 
   /// The same where the emission differs from path to path, and the room has no late field. Everything may be anywhere.
   void hear(std::int64_t sample, const EmissionOn& emission_on);
