@@ -97,7 +97,7 @@ class Map(program.TestCase):
             self.assertIn(answer, job.stderr)
         job = self.map(None, "--up-to", "50")
         self.require_status(job, program.FAILED)
-        self.assertIn("no modes up to 50 Hz", job.stderr)
+        self.assertRegex(job.stderr, r"no modes up to 50 Hz: its lowest one is at \d+\.?\d* Hz \(--up-to more than that, or --modes\)")
 
     def test_the_error_of_the_mesh_is_that_of_modes(self):
         job = self.map(None, "--modes", "4", "--json")
@@ -138,7 +138,8 @@ listeners:
         for ranks in None, 2:
             job = program.idiophone("map", deck, "--output-folder", self.output, "--up-to", 1000, "--json", ranks=ranks)
             self.require_status(job, program.FAILED)
-            self.assertIn("1 of 2 bodies have no map; body 'short' has no modes up to 1000 Hz", job.stderr)
+            self.assertIn("1 of 2 bodies have no map; body 'short' has no modes up to 1000 Hz: its lowest one is at 209165 Hz",
+                          job.stderr)
             self.assertTrue((self.output / "two_long.map.h5").exists())
             self.assertFalse((self.output / "two_short.map.h5").exists())
         refused = program.idiophone("map", deck, "--output-folder", self.output, "--estimate")

@@ -28,8 +28,10 @@ std::optional<sound_maps::SoundMap> find_modes(const std::string& body, const Fi
     try {
       map = modes();
     } catch (const eigenmodes::NoModes& error) {
-      spdlog::error("{}: no map. The others are made", error.what());
-      outcome.failures.push_back({{"body", body}, {"reason", error.what()}});
+      const std::string reason =
+          error.what() + std::string(error.lowest ? " (--up-to more than that, or --modes)" : "");
+      spdlog::error("no map of {}: {}. The others are made", body, reason);
+      outcome.failures.push_back({{"body", body}, {"reason", reason}});
       has_modes = false;
     }
   });

@@ -23,7 +23,7 @@ namespace {
 void declare(CLI::App& app, MapOptions& options) {
   add_deck(app, options.deck, options.overrides);
   CLI::Option* up_to =
-      app.add_option("--up-to", options.up_to, "Hz: all modes up to there")->check(CLI::Range(1.0, 1e6));
+      app.add_option("--up-to", options.up_to, "Hz: all modes up to there")->check(CLI::Range(1.0, 1e9));
   up_to->capture_default_str();
   app.add_option("--modes", options.count, "number of modes, the lowest, instead of --up-to")
       ->check(CLI::Range(1, 1000000))

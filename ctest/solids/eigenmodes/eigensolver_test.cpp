@@ -2,12 +2,16 @@
 
 #include "eigensolver.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <string>
 
 #include "idiophone/foundation/parallel/communicator.hpp"
+#include "idiophone/solids/eigenmodes/no_modes.hpp"
 #include "inertia.hpp"
 #include "operators.hpp"
 #include "ranks.hpp"
@@ -110,6 +114,31 @@ TEST(Eigensolver, StoppedByAWatchItHasTheLowestModes) {
   EXPECT_LT(some.modes.size(), wanted);
   for (std::size_t mode = 0; mode < some.modes.size(); ++mode) {
     EXPECT_NEAR(some.modes[mode].frequency / all.modes[mode].frequency, 1, 1e-8) << mode;
+  }
+}
+
+/// Lengths in millimetres that are read as metres: the residuals of vectors of unit mass grow with the body's mass.
+TEST(Eigensolver, DoesNotDependOnTheSizeOfTheBody) {
+  constexpr double larger = 1e6;
+  VibratingBody body = block(element::hex(2, 2), {0.3, 0.1, 0.05}, {6, 2, 2});
+  VibratingBody large = block(element::hex(2, 2), {larger * 0.3, larger * 0.1, larger * 0.05}, {6, 2, 2});
+  const Modes expected = body.find({.count = 6}, MPI_COMM_SELF);
+  const Modes found = large.find({.count = 6}, MPI_COMM_SELF);
+  for (std::size_t mode = 0; mode < 6; ++mode) {
+    EXPECT_NEAR(larger * found.modes[mode].frequency / expected.modes[mode].frequency, 1, 1e-8) << mode;
+  }
+}
+
+TEST(Eigensolver, SaysTheLowestFrequencyWhereABodyHasNoModesUpToTheWantedOne) {
+  VibratingBody body = cube();
+  const double lowest = body.find({.count = 1}, MPI_COMM_SELF).modes.front().frequency;
+  try {
+    (void)body.find({.up_to = 0.9 * lowest}, MPI_COMM_WORLD);
+    FAIL() << "there are no modes";
+  } catch (const NoModes& error) {
+    EXPECT_NEAR(error.lowest.value() / lowest, 1, 1e-8);
+    EXPECT_NE(std::string(error.what()).find(fmt::format("its lowest one is at {:.6g} Hz", lowest)), std::string::npos)
+        << error.what();
   }
 }
 

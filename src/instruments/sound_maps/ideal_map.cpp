@@ -82,9 +82,11 @@ SoundMap ideal_map(const scene::Scene& scene, const IdealBody& body, int count, 
   map.air_density = scene.radiation.air.density;
   map.air_speed = scene.radiation.air.speed;
   map.radiation = "rayleigh";
-  (has_formulas(body) ? add_formula_modes : add_meshed_modes)(map, body, {count, up_to});
+  const auto add_modes = has_formulas(body) ? add_formula_modes : add_meshed_modes;
+  add_modes(map, body, {count, up_to});
   if (map.frequency.empty()) {
-    throw eigenmodes::NoModes(fmt::format("body '{}' has no modes up to {} Hz", body.name, *up_to));
+    add_modes(map, body, {1, std::nullopt});
+    throw eigenmodes::NoModes("body '" + body.name + "'", up_to.value(), map.frequency.front());
   }
   add_mass(map, body);
   map.centre += body.position;

@@ -34,16 +34,12 @@ std::string name_of(std::span<const scene::Body> bodies) {
 }
 
 /// How many modes are wanted. @param rigid  number of rigid motions
-EigenpairCount wanted(const Options& options, const std::string& name, const Operators& operators, int rigid) {
+EigenpairCount wanted(const Options& options, const Operators& operators, int rigid) {
   if (!options.up_to) {
     return {options.count};
   }
   const double bound = std::pow(angular(*options.up_to), 2);
-  const auto below = static_cast<int>(eigenvalues_below(operators, bound)) - rigid;
-  if (below < 1) {
-    throw NoModes(fmt::format("{} has no modes up to {} Hz", name, *options.up_to));
-  }
-  return {below, bound};
+  return {static_cast<int>(eigenvalues_below(operators, bound)) - rigid, bound};
 }
 
 /// Refuses what the body cannot give. @param rigid  number of rigid motions
@@ -95,8 +91,13 @@ Modes find_modes(const scene::Solids& solids, const mesh::Part& part, const Oper
   found.shift =
       options.shift ? *options.shift : 0.1 * rough_frequency(solids, part, operators.dynamics(), communicator);
   check_buckling(solids.bodies, operators, found.rigid_motions, found.shift);
-  const EigenpairCount count = wanted(options, name, operators, found.rigid_motions);
-  auto pairs = lowest_eigenpairs(operators, rigid, count, std::pow(angular(found.shift), 2), options.watch);
+  const double shift = std::pow(angular(found.shift), 2);
+  const EigenpairCount count = wanted(options, operators, found.rigid_motions);
+  if (count.count < 1) {
+    const double lowest = lowest_eigenpairs(operators, rigid, {1}, shift).front().value;
+    throw NoModes(name, options.up_to.value(), std::sqrt(lowest) / angular(1));
+  }
+  auto pairs = lowest_eigenpairs(operators, rigid, count, shift, options.watch);
   if (options.align_double_modes) {
     align_double_modes(pairs, part.reference);
   }

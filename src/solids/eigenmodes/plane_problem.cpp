@@ -78,7 +78,8 @@ std::vector<Eigenpair> wanted_eigenpairs(const PlaneProblem& problem, const std:
   if (wanted.up_to) {
     count = eigenvalues_below(problem, std::pow(2 * std::numbers::pi * *wanted.up_to, 2)) - rigid;
     if (count < 1) {
-      throw NoModes(fmt::format("the {} has no modes up to {} Hz", body, *wanted.up_to));
+      const double lowest = lowest_eigenpairs(problem, rigid_motions, {1}, shift).front().value;
+      throw NoModes("the " + body, *wanted.up_to, frequency_of(lowest));
     }
   }
   if (count > problem.size() - rigid) {

@@ -1,7 +1,9 @@
 #pragma once
 // The answer for a body that does not vibrate as it was asked to.
 
+#include <optional>
 #include <stdexcept>
+#include <string>
 
 namespace idiophone::eigenmodes {
 
@@ -9,6 +11,14 @@ namespace idiophone::eigenmodes {
 class NoModes : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
+
+  /// None up to a frequency.
+  /// @param body              as the message calls it: "body 'bar'"
+  /// @param up_to             that was asked for, Hz
+  /// @param lowest_frequency  that it has, Hz
+  NoModes(const std::string& body, double up_to, double lowest_frequency);
+
+  std::optional<double> lowest;  ///< frequency of the lowest mode, Hz; none where the body has no modes
 };
 
 }  // namespace idiophone::eigenmodes
