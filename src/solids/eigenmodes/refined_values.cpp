@@ -29,31 +29,34 @@ class Column {
   parallel::Handle<Vec> vector_;
 };
 
+/// [components x vectors] What a matrix makes of vectors.
+Matrix images(Mat matrix, Matrix& vectors) {
+  Matrix result(vectors.rows(), vectors.cols());
+  for (Eigen::Index i = 0; i < vectors.cols(); ++i) {
+    petsc(MatMult(matrix, Column(vectors, i), Column(result, i)));
+  }
+  return result;
+}
+
+void append_columns(Matrix& vectors, const Matrix& others) {
+  vectors.conservativeResize(others.rows(), vectors.cols() + others.cols());
+  vectors.rightCols(others.cols()) = others;
+}
+
 /// [components x vectors] Vectors and their products with K and M.
 struct Block {
   Block() = default;
   Block(const RefinedProblem& problem, Matrix of)
-      : vectors(std::move(of)), stiffness(vectors.rows(), vectors.cols()), mass(vectors.rows(), vectors.cols()) {
-    for (Eigen::Index i = 0; i < vectors.cols(); ++i) {
-      const Column x(vectors, i);
-      petsc(MatMult(problem.stiffness(), x, Column(stiffness, i)));
-      petsc(MatMult(problem.mass(), x, Column(mass, i)));
-    }
-  }
+      : vectors(std::move(of)),
+        stiffness(images(problem.stiffness(), vectors)),
+        mass(images(problem.mass(), vectors)) {}
 
   void append(const Block& other) {
-    if (other.vectors.cols() == 0) {
-      return;
+    if (other.vectors.cols() > 0) {
+      append_columns(vectors, other.vectors);
+      append_columns(stiffness, other.stiffness);
+      append_columns(mass, other.mass);
     }
-    const Eigen::Index before = vectors.cols();
-    const Eigen::Index all = before + other.vectors.cols();
-    const auto add = [&](Matrix& to, const Matrix& more) {
-      to.conservativeResize(more.rows(), all);
-      to.rightCols(all - before) = more;
-    };
-    add(vectors, other.vectors);
-    add(stiffness, other.stiffness);
-    add(mass, other.mass);
   }
 
   /// @param combinations  [vectors x vectors of the result]
@@ -70,33 +73,56 @@ struct Block {
   Matrix mass;
 };
 
-/// The lowest eigenvalues within a space, and their vectors as combinations, of unit modal mass. There are fewer where
-/// vectors of the space depend on each other.
+/// The combinations of vectors that are M-orthonormal. There are fewer than vectors where these depend on each other.
+/// @param mass  of the vectors, x^T M x
+Matrix orthonormal_combinations(const Matrix& mass) {
+  constexpr double dependent = 1e-12;  // square of a vector of unit mass that others make up
+  const Eigen::VectorXd scale = mass.diagonal().cwiseSqrt().cwiseInverse();
+  const auto [lengths, axes] = dense::eigenpairs(Matrix(scale.asDiagonal() * mass * scale.asDiagonal()));
+  const Eigen::Index kept = (lengths.array() > dependent).count();
+  return scale.asDiagonal() * axes.rightCols(kept) * lengths.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+}
+
+/// The lowest eigenvalues within a space, and their vectors as combinations, of unit modal mass.
 struct Ritz {
   Eigen::VectorXd values;
   Matrix combinations;
 };
 
 Ritz ritz(const Block& space, Eigen::Index count) {
-  constexpr double dependent = 1e-12;  // square of a vector of unit mass that others make up
-  const Matrix mass = space.vectors.transpose() * space.mass;
-  const Eigen::VectorXd scale = mass.diagonal().cwiseSqrt().cwiseInverse();
-  const auto [lengths, axes] = dense::eigenpairs(Matrix(scale.asDiagonal() * mass * scale.asDiagonal()));
-  const Eigen::Index kept = (lengths.array() > dependent).count();
-  const Matrix basis =
-      scale.asDiagonal() * axes.rightCols(kept) * lengths.tail(kept).cwiseSqrt().cwiseInverse().asDiagonal();
+  const Matrix basis = orthonormal_combinations(space.vectors.transpose() * space.mass);
   const Matrix stiffness = basis.transpose() * (space.vectors.transpose() * space.stiffness) * basis;
   const auto [values, turned] = dense::eigenpairs(stiffness);
-  const Eigen::Index found = std::min(count, kept);
+  const Eigen::Index found = std::min(count, basis.cols());
   return {values.head(found), basis * turned.leftCols(found)};
 }
 
-/// Takes out of vectors what is known: K M-orthonormal vectors.
-void deflate(Matrix& vectors, const Block& known) {
-  if (known.vectors.cols() > 0) {
-    vectors -= known.vectors * Matrix(known.mass.transpose() * vectors);
+/// M-orthonormal vectors that others are kept orthogonal to. Large meshes have memory for them, but not for their
+/// products with the matrices, too.
+class KnownVectors {
+ public:
+  explicit KnownVectors(const RefinedProblem& problem) : problem_(problem) {}
+
+  /// Takes them out of vectors.
+  void deflate(Matrix& vectors) const {
+    if (vectors_.cols() > 0) {
+      const Matrix parts = vectors_.transpose() * images(problem_.mass(), vectors);
+      vectors.noalias() -= vectors_ * parts;
+    }
   }
-}
+
+  /// Adds the space of vectors that are orthogonal to them.
+  void add(Matrix vectors) {
+    if (vectors.cols() > 0) {
+      append_columns(vectors_,
+                     vectors * orthonormal_combinations(vectors.transpose() * images(problem_.mass(), vectors)));
+    }
+  }
+
+ private:
+  const RefinedProblem& problem_;
+  Matrix vectors_;  // [components x vectors]
+};
 
 /// The directions in which the modes are to be improved.
 Matrix directions(const RefinedProblem& problem, const Block& modes, const Eigen::VectorXd& values) {
@@ -115,7 +141,7 @@ struct Improvement {
 };
 
 /// @param known  vectors that the modes are orthogonal to
-Improvement improved(const RefinedProblem& problem, const Improvement& first, const Block& known) {
+Improvement improved(const RefinedProblem& problem, const Improvement& first, const KnownVectors& known) {
   constexpr int most_steps = 15;
   constexpr double little = 0.03;   // of what has been gained
   constexpr double unheard = 1e-6;  // of the eigenvalue
@@ -124,7 +150,7 @@ Improvement improved(const RefinedProblem& problem, const Improvement& first, co
   Block before;  // the directions of the last step
   for (int step = 0; step < most_steps; ++step) {
     Matrix corrections = directions(problem, now.modes, now.values);
-    deflate(corrections, known);
+    known.deflate(corrections);
     Block space = now.modes;
     Block beside(problem, std::move(corrections));
     beside.append(before);
@@ -144,20 +170,14 @@ Improvement improved(const RefinedProblem& problem, const Improvement& first, co
 
 /// Modes of the given mesh on the refined one, without what is known.
 /// @param numbers  of the modes
-Block interpolated(const RefinedProblem& problem, std::span<const std::vector<double>> shapes,
-                   std::span<const std::size_t> numbers, const Block& known) {
+Matrix interpolated(const RefinedProblem& problem, std::span<const std::vector<double>> shapes,
+                    std::span<const std::size_t> numbers, const KnownVectors& known) {
   Matrix vectors(problem.size(), numbers.size());
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     problem.interpolate(shapes[numbers[i]], Column(vectors, static_cast<Eigen::Index>(i)));
   }
-  deflate(vectors, known);
-  return {problem, std::move(vectors)};
-}
-
-/// The same space, spanned by K M-orthonormal vectors.
-Block orthonormal(const Block& space) {
-  const Eigen::Index count = space.vectors.cols();
-  return count == 0 ? space : space.combined(ritz(space, count).combinations);
+  known.deflate(vectors);
+  return vectors;
 }
 
 /// The numbers below the last chosen one that are not chosen.
@@ -198,16 +218,21 @@ std::vector<RefinedValue> refined_values(const RefinedProblem& problem, std::spa
   if (chosen.empty()) {
     return {};
   }
-  Block known = orthonormal({problem, problem.rigid_motions()});
-  known.append(orthonormal(interpolated(problem, shapes, not_chosen(chosen), known)));
+  KnownVectors known(problem);
+  known.add(problem.rigid_motions());
+  const std::vector<std::size_t> others = not_chosen(chosen);
+  for (std::size_t first = 0; first < others.size(); first += at_once) {
+    const auto next = std::span(others).subspan(first, std::min(at_once, others.size() - first));
+    known.add(interpolated(problem, shapes, next, known));
+  }
   std::vector<RefinedValue> all;
   for (bool goes_on = true; goes_on && all.size() < chosen.size();) {
     const auto next = chosen.subspan(all.size(), std::min(at_once, chosen.size() - all.size()));
-    const Block motions = interpolated(problem, shapes, next, known);
+    const Block motions(problem, interpolated(problem, shapes, next, known));
     const Ritz first = ritz(motions, motions.vectors.cols());
     const Improvement last = improved(problem, {motions.combined(first.combinations), first.values}, known);
     std::ranges::copy(matched(motions, last), std::back_inserter(all));
-    known.append(last.modes);
+    known.add(last.modes.vectors);
     goes_on = !watch || watch(all.size(), chosen.size());
   }
   return all;
