@@ -69,7 +69,7 @@ void report_pitch(const bodies::Preparation& ready,
           "body {}: pitch within about 5 cents up to {:.0f} Hz, 50 cents up to {:.0f} Hz, by the rules for even cells; "
           "`idiophone modes` estimates the error of each mode",
           ready.scene.bodies[b].name, limits->first, limits->second);
-    } else if (const auto kind = advice::without_rules(ready.scene.bodies[b], ready.statistics[b])) {
+    } else if (const auto kind = accuracy::without_rules(ready.scene.bodies[b], ready.statistics[b])) {
       spdlog::info("body {}: there is no rule for the pitch of {}; `idiophone modes` estimates the error of each mode",
                    ready.scene.bodies[b].name, *kind);
     }

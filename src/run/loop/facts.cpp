@@ -92,11 +92,11 @@ nlohmann::json body_facts(const bodies::Preparation& ready, std::size_t body) {
 
 std::optional<std::pair<double, double>> pitch_limits(const bodies::Preparation& ready, std::size_t b) {
   const auto& body = ready.scene.bodies[b];
-  const auto& material = ready.scene.materials[body.material];
-  const accuracy::Extents extents = accuracy::extents(ready.statistics[b]);
-  if (!ready.initial_state.steps[b].is_limited() || !body.is_one_material_at_rest() || !accuracy::has_rules(extents)) {
+  if (!ready.initial_state.steps[b].is_limited() || accuracy::without_rules(body, ready.statistics[b])) {
     return {};
   }
+  const auto& material = ready.scene.materials[body.material];
+  const accuracy::Extents extents = accuracy::extents(ready.statistics[b]);
   switch (body.element.kind) {
     case element::Kind::tet4:
       return {};  // no pitch to promise

@@ -71,8 +71,17 @@ Extents extents(const mesh::Statistics& mesh) {
   return {mesh.extents, 1 / std::max(reciprocal, 1 / mesh.extents[2])};
 }
 
-bool has_rules(const Extents& body) {
-  return body.sides[2] <= 2 * body.thickness;
+std::optional<std::string> without_rules(const scene::Body& body, const mesh::Statistics& mesh) {
+  if (!body.regions.empty()) {
+    return "bodies of several materials";
+  }
+  if (body.prestress) {
+    return "bodies under tension";
+  }
+  if (const Extents size = extents(mesh); size.sides[2] > 2 * size.thickness) {
+    return "curved or joined thin walls";
+  }
+  return {};
 }
 
 Cells cells_of(const mesh::Statistics& mesh, element::Type type) {

@@ -1,18 +1,25 @@
 #include "idiophone/study/advice/pitch_estimate.hpp"
 
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <iterator>
 #include <utility>
 #include <vector>
 
+#include "idiophone/solids/eigenmodes/is_rigid_motion.hpp"
 #include "idiophone/solids/eigenmodes/mesh_errors.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/mesh/refined.hpp"
 #include "idiophone/solids/motion/attachments.hpp"
-#include "idiophone/study/mode_kinds/mode_kinds.hpp"
 
 namespace idiophone::advice {
+
+namespace {
+
+using Fields = Eigen::Map<const Eigen::Matrix3Xd>;  // [3 x nodes]
+
+}  // namespace
 
 std::optional<PitchEstimate> pitch_estimate(const scene::Scene& scene, std::size_t body, const mesh::Mesh& mesh) {
   constexpr double most_entries = 2e7;  // two seconds, or four on supports
@@ -38,11 +45,11 @@ std::optional<PitchEstimate> pitch_estimate(const scene::Scene& scene, std::size
   using eigenmodes::Estimates;
   const std::vector<double> errors =
       eigenmodes::mesh_errors(alone, {mesh}, eigenmodes::MassMatrix::lumped, shapes, Estimates::all).cents;
-  // On soft supports, the lowest modes are nearly rigid motions, which have no pitch.
-  const std::vector<std::string> kinds = mode_kinds::kinds_of(mesh.nodes, shapes);
+  const Fields nodes(mesh.nodes.front().data(), 3, std::ssize(mesh.nodes));
   PitchEstimate result;
-  for (std::size_t mode = 0; mode < kinds.size() && result.frequencies.size() < count; ++mode) {
-    if (!kinds[mode].starts_with("rigid motion")) {
+  for (std::size_t mode = 0; mode < shapes.size() && result.frequencies.size() < count; ++mode) {
+    // On soft supports, the lowest modes are nearly rigid motions, which have no pitch.
+    if (!eigenmodes::is_rigid_motion(nodes, Fields(shapes[mode].data(), 3, nodes.cols()))) {
       result.frequencies.push_back(found.modes[mode].frequency);
       result.mesh_errors.push_back(errors[mode]);
     }

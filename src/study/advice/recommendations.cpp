@@ -18,7 +18,7 @@ namespace {
 
 std::optional<accuracy::Recommendation> recommended(const bodies::Preparation& ready, std::size_t b, element::Kind kind,
                                                     const accuracy::Accuracy& wanted) {
-  if (without_rules(ready.scene.bodies[b], ready.statistics[b])) {
+  if (accuracy::without_rules(ready.scene.bodies[b], ready.statistics[b])) {
     return {};
   }
   const mesh::Statistics& mesh = ready.statistics[b];
@@ -60,24 +60,11 @@ std::string description(const accuracy::Recommendation& found, double present) {
 
 }  // namespace
 
-std::optional<std::string> without_rules(const scene::Body& body, const mesh::Statistics& statistics) {
-  if (!body.regions.empty()) {
-    return "bodies of several materials";
-  }
-  if (body.prestress) {
-    return "bodies under tension";
-  }
-  if (!accuracy::has_rules(accuracy::extents(statistics))) {
-    return "curved or joined thin walls";
-  }
-  return {};
-}
-
 void print_recommendation(const bodies::Preparation& ready, std::size_t b, const accuracy::Accuracy& wanted) {
   if (!ready.initial_state.steps[b].is_limited()) {
     return;  // held rigid: no pitch
   }
-  if (const auto kind = without_rules(ready.scene.bodies[b], ready.statistics[b])) {
+  if (const auto kind = accuracy::without_rules(ready.scene.bodies[b], ready.statistics[b])) {
     spdlog::info(
         "body {}: no mesh is recommended for {}, as there is no rule for their pitch: make the mesh finer until the "
         "errors that `idiophone modes` estimates are small enough",

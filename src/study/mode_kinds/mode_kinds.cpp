@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -10,34 +9,14 @@
 
 #include "body_form.hpp"
 #include "forms_of_modes.hpp"
+#include "idiophone/solids/eigenmodes/is_rigid_motion.hpp"
 
 namespace idiophone::mode_kinds {
 
 namespace {
 
-/// Whether a shape is nearly a rigid motion a + b x r everywhere. A mean over the nodes would not do: most of them can
-/// be at the heavy end of a cantilever, which hardly bends.
-bool is_rigid(const LocalShape& shape) {
-  constexpr double largest_bend = 0.1;  // of the largest displacement
-  const auto count = static_cast<double>(shape.places.cols());
-  const Vector3 middle = shape.places.rowwise().sum() / count;
-  const Vector3 mean = shape.displacements.rowwise().sum() / count;
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
-  Vector3 moment = Vector3::Zero();
-  for (Eigen::Index n = 0; n < shape.places.cols(); ++n) {
-    const Vector3 arm = shape.places.col(n) - middle, way = shape.displacements.col(n);
-    inertia += arm.squaredNorm() * Eigen::Matrix3d::Identity() - arm * arm.transpose();
-    moment += arm.cross(way);
-  }
-  const Vector3 turn = inertia.inverse() * moment;
-  const Eigen::Matrix3Xd arms = shape.places.colwise() - middle;
-  const Eigen::Matrix3Xd bend = (shape.displacements - arms.colwise().cross(-turn)).colwise() - mean;
-  return bend.colwise().squaredNorm().maxCoeff() <
-         largest_bend * largest_bend * shape.displacements.colwise().squaredNorm().maxCoeff();
-}
-
 KindName kind_in(const BodyForm& form, const LocalShape& shape) {
-  if (is_rigid(shape)) {
+  if (eigenmodes::is_rigid_motion(shape.places, shape.displacements)) {
     return {.name = "rigid motion", .is_counted = true};
   }
   switch (form.kind) {

@@ -102,7 +102,8 @@ struct SoundMap {
 };
 
 /// Of the errors that the mesh makes, the largest, for people: "the mesh makes frequencies wrong by up to 12 cents
-/// (mode 3), as estimated for 20 of 40 audible modes"; empty if none is known. Audible are those from 20 Hz on.
+/// (mode 3), as estimated for 20 of 40 modes"; empty if none is known. Rigid motions on soft supports do not count
+/// (eigenmodes::is_rigid_motion()).
 [[nodiscard]] std::string mesh_error_text(const SoundMap& map);
 
 }  // namespace idiophone::sound_maps

@@ -26,9 +26,10 @@ struct Extents {
 
 [[nodiscard]] Extents extents(const mesh::Statistics& mesh);
 
-/// Whether the rules for waves and torsion know such bodies: compact ones, bars and flat walls. Curved and joined thin
-/// walls are more than twice as high as they are thick; they keep less than the rules promise.
-[[nodiscard]] bool has_rules(const Extents& body);
+/// What the rules for waves and torsion do not hold for, if it is the body: "curved or joined thin walls"; none if they
+/// hold. They know compact bodies, bars and flat walls of one material at rest. Curved and joined thin walls are more
+/// than twice as high as they are thick; they keep less than the rules promise.
+[[nodiscard]] std::optional<std::string> without_rules(const scene::Body& body, const mesh::Statistics& mesh);
 
 /// The cells of a mesh. tet10 elements have the size of the cells that they were cut from.
 struct Cells {

@@ -2,16 +2,11 @@
 // The meshes that `check` recommends.
 
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
-#include <string>
 
 #include "idiophone/run/bodies/preparation.hpp"
 #include "idiophone/solids/accuracy/recommendation.hpp"
 
 namespace idiophone::advice {
-
-/// What the rules for the pitch do not hold for, if it is the body: "curved or joined thin walls".
-[[nodiscard]] std::optional<std::string> without_rules(const scene::Body& body, const mesh::Statistics& statistics);
 
 /// Prints the cheapest mesh of body b, if there are rules for it, and tet10 for a body that may not be swept.
 void print_recommendation(const bodies::Preparation& ready, std::size_t b, const accuracy::Accuracy& wanted);
