@@ -66,7 +66,7 @@ class Contact(program.TestCase):
         self.assertLess(abs(velocity - velocity[0]).max(), 1e-12)
         self.assertLess(float(re.search(r"clack: deepest penetration (\S+) m", said)[1]), 5e-4)
         job = program.idiophone("analyze", self.output / "fork.h5", "--start", 0)
-        self.assertRegex(job.stdout + job.stderr, r"forces act in this part \(.*contact clack until 0\.0\d* s")
+        self.assertRegex(job.stdout + job.stderr, r"forces act in this part \(.*contact clack, heard until 0\.0\d* s")
         self.require_status(program.run("fork", self.output, ranks=3), program.FINISHED)
         self.require_same(self.output / "fork.h5", found)
 

@@ -109,15 +109,15 @@ void warn_of_turning(const spectra::Sound& sound, const AnalyzeOptions& options)
 void warn_of_forces(const spectra::Sound& sound, const AnalyzeOptions& options) {
   const auto [start, duration] = part_of(sound, options);
   std::vector<std::string> acting;
-  for (const auto& [name, until] : partials::acting_forces(options.result, start, start + duration)) {
-    acting.push_back(fmt::format("{} until {:.4g} s", name, until));
+  for (const auto& [name, until] : partials::acting_forces(options.result, sound.name, start, start + duration)) {
+    acting.push_back(fmt::format("{}, heard until {:.4g} s", name, until));
   }
   if (!acting.empty()) {
     spdlog::warn(
         "{}: forces act in this part ({}), so the sound is no free decay: frequencies of the forces look like "
         "partials, and levels and decay times of partials can be wrong. Choose a part without forces (--start, "
-        "--duration); sound arrives later than its force",
-        options.result.filename().string(), fmt::join(acting, ", "));
+        "--duration)",
+        options.result.filename().string(), fmt::join(acting, "; "));
   }
 }
 

@@ -7,11 +7,11 @@
 #include <cstdint>
 #include <numbers>
 #include <optional>
-#include <span>
 #include <string>
 
 #include "idiophone/foundation/spectra/sound_file.hpp"
 #include "idiophone/run/results/series_reader.hpp"
+#include "names_in_paths.hpp"
 
 namespace idiophone::partials {
 
@@ -30,14 +30,6 @@ double largest_turn(const std::vector<double>& quaternions) {
   return 2 * std::acos(least) * 180 / std::numbers::pi;
 }
 
-/// What a path has between two texts that it begins and ends with.
-std::optional<std::string> between(const std::string& path, const std::string& before, const std::string& after) {
-  if (!path.starts_with(before) || !path.ends_with(after)) {
-    return {};
-  }
-  return path.substr(before.size(), path.size() - before.size() - after.size());
-}
-
 /// Rows of a series.
 struct Rows {
   std::int64_t first = 0;
@@ -50,38 +42,6 @@ Rows rows_between(const results::SeriesReader& reader, const spectra::Series& se
   const auto first = std::clamp<std::int64_t>(std::llround(start * series.rate), 0, all);
   const auto last = std::clamp<std::int64_t>(std::llround(end * series.rate) + 1, first, all);
   return {first, last - first};
-}
-
-/// The last time at which one of the columns has another value than in the row before, s.
-std::optional<double> last_change(const results::SeriesReader& reader, const spectra::Series& series,
-                                  const std::string& column, const Rows& rows) {
-  const std::vector<double> values = reader.read(series, rows.first, rows.count);
-  const std::size_t width = series.columns.size();
-  const auto c = static_cast<std::size_t>(std::ranges::find(series.columns, column) - series.columns.begin());
-  for (auto row = static_cast<std::size_t>(rows.count); c < width && row-- > 1;) {
-    if (values[row * width + c] != values[(row - 1) * width + c]) {
-      return static_cast<double>(rows.first + static_cast<std::int64_t>(row)) / series.rate;
-    }
-  }
-  return {};
-}
-
-/// The last time of a force that is not zero, s; none of a force that acts in all rows, as under a body that stands.
-std::optional<double> last_touch(const results::SeriesReader& reader, const spectra::Series& series, const Rows& rows) {
-  const std::vector<double> values = reader.read(series, rows.first, rows.count);
-  const std::size_t width = series.columns.size();
-  std::int64_t touched = 0, last = 0;
-  for (std::int64_t row = 0; row < rows.count; ++row) {
-    const std::span force = std::span(values).subspan(static_cast<std::size_t>(row) * width, width);
-    if (std::ranges::any_of(force, [](double value) { return value != 0; })) {
-      ++touched;
-      last = row;
-    }
-  }
-  if (touched == 0 || touched == rows.count) {
-    return {};
-  }
-  return static_cast<double>(rows.first + last) / series.rate;
 }
 
 }  // namespace
@@ -107,29 +67,12 @@ std::vector<TurnedBody> turned_bodies(const std::filesystem::path& result, doubl
   const results::SeriesReader reader(result);
   std::vector<TurnedBody> bodies;
   for (const spectra::Series& series : reader.all()) {
-    if (const auto body = between(series.path, "/motion/", "/orientation")) {
+    if (const auto body = name_between(series.path, "/motion/", "/orientation")) {
       const Rows rows = rows_between(reader, series, start, end);
       bodies.push_back({*body, largest_turn(reader.read(series, rows.first, rows.count))});
     }
   }
   return bodies;
-}
-
-std::vector<ActingForce> acting_forces(const std::filesystem::path& result, double start, double end) {
-  const results::SeriesReader reader(result);
-  std::vector<ActingForce> acting;
-  for (const spectra::Series& series : reader.all()) {
-    if (series.path == "/energy") {
-      if (const auto until = last_change(reader, series, "work", rows_between(reader, series, start, end))) {
-        acting.push_back({"loads", *until});
-      }
-    } else if (const auto contact = between(series.path, "/contacts/", "/force")) {
-      if (const auto until = last_touch(reader, series, rows_between(reader, series, start, end))) {
-        acting.push_back({"contact " + *contact, *until});
-      }
-    }
-  }
-  return acting;
 }
 
 }  // namespace idiophone::partials

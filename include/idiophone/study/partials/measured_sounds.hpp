@@ -29,11 +29,15 @@ struct TurnedBody {
 /// What does work on the bodies of a result.
 struct ActingForce {
   std::string name;    ///< "loads", or "contact NAME"
-  double until = 0.0;  ///< s, when it acts for the last time in the part
+  double until = 0.0;  ///< s, when its sound arrives for the last time in the part
 };
 
-/// What acts on the bodies from `start` to `end` (s), so that they do not vibrate freely: pulses, winds, bows and
-/// driven groups, by the work that they do (where the result has energies), and contacts that open or close.
-[[nodiscard]] std::vector<ActingForce> acting_forces(const std::filesystem::path& result, double start, double end);
+/// The forces whose sound a listener hears from `start` to `end` (s), so that the bodies do not vibrate freely then:
+/// pulses, winds, bows and driven groups, by the work that they do (where the result has energies), and contacts that
+/// open or close. Sound travels from the point of a contact, and from the middle of the farthest body for loads, to
+/// where the listener is at the beginning.
+/// @throws std::invalid_argument if there is no such listener
+[[nodiscard]] std::vector<ActingForce> acting_forces(const std::filesystem::path& result, const std::string& listener,
+                                                     double start, double end);
 
 }  // namespace idiophone::partials
