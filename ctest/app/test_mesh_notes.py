@@ -52,6 +52,14 @@ class MeshNotes(program.TestCase):
         self.assertIn("body bell: no mesh is recommended for curved or joined thin walls", job.stdout)
         self.assertNotIn("CPU-seconds per second of sound", job.stdout)
 
+    def test_a_mesh_is_recommended_for_ultrasound(self):
+        deck = self.output / "die.yaml"
+        deck.write_text(PLATE.format(mesh=program.SOURCE / "meshes/square_plate.geo"))
+        job = program.idiophone("check", deck, "--set", "bodies.plate.parameters={side: 0.004, thickness: 0.003, size: 0.002}",
+                                "--up-to", 1e6, "--set", "time.duration=1e-5", "--set", "audio.rate=1000000")
+        self.require_status(job, program.FINISHED)
+        self.assertIn("for 5 cents up to 1000000 Hz", job.stdout)
+
     def test_linear_elements_lock(self):
         told = self.check("bodies.plate.element=tet4")
         self.assertIn("lock", told)
@@ -69,9 +77,21 @@ f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6
 """
 
 
+def prism(sides):
+    """A closed column with so many sides, 1 m in radius and height, its facets as an OBJ file."""
+    around = [(math.cos(2 * math.pi * side / sides), math.sin(2 * math.pi * side / sides)) for side in range(sides)]
+    lines = [f"v {x} {y} {z}" for z in (0, 1) for x, y in around]
+    for this in range(1, sides + 1):
+        following = this % sides + 1
+        lines.append(f"f {this} {following} {sides + following} {sides + this}")
+        if 1 < this < sides:
+            lines += [f"f 1 {following} {this}", f"f {sides + 1} {sides + this} {sides + following}"]
+    return "\n".join(lines) + "\n"
+
+
 class Faces(program.TestCase):
-    def deck(self, *settings):
-        (self.output / "box.obj").write_text(BOX)
+    def deck(self, *settings, surface=BOX):
+        (self.output / "box.obj").write_text(surface)
         deck = self.output / "box.yaml"
         deck.write_text(PLATE.format(mesh="box.obj"))
         words = [word for each in ("bodies.plate.parameters={size: 0.3}", *settings) for word in ("--set", each)]
@@ -94,6 +114,15 @@ class Faces(program.TestCase):
                                  "--output-folder", self.output)
         self.require_status(held, program.FINISHED)
         self.assertEqual(json.loads(held.stdout)["rigid_motions"], 0)
+
+    def test_faces_are_listed_in_the_order_of_their_numbers_without_tables_of_forces(self):
+        tap = "loads={tap: {at: [0, 0, 0.2], force: [0, 0, 1], shape: table, table: not_there.csv}}"
+        job = program.idiophone("check", *self.deck(tap, surface=prism(8)), "--faces")
+        self.require_status(job, program.FINISHED)
+        numbers = [int(number) for number in re.findall(r"^ *face_(\d+) ", job.stdout, re.MULTILINE)]
+        self.assertGreaterEqual(len(numbers), 10)
+        self.assertEqual(numbers, sorted(numbers))
+        self.require_status(program.idiophone("check", *self.deck(tap)), program.WRONG_DECK)
 
     def test_faces_are_held_by_normal_and_by_box(self):
         found = []

@@ -15,7 +15,7 @@ std::vector<double> list_of(const Vector3& vector) {
   return {vector.begin(), vector.end()};
 }
 
-std::string vector_text(const nlohmann::json& vector) {
+std::string vector_text(const nlohmann::ordered_json& vector) {
   std::string text;
   for (const double value : vector) {
     text += fmt::format(" {:>9.4g}", std::abs(value) < 1e-9 ? 0.0 : value);
@@ -25,10 +25,10 @@ std::string vector_text(const nlohmann::json& vector) {
 
 }  // namespace
 
-nlohmann::json faces_of(std::span<const scene::Body> bodies, const std::vector<mesh::Mesh>& meshes) {
-  nlohmann::json all = nlohmann::json::object();
+nlohmann::ordered_json faces_of(std::span<const scene::Body> bodies, const std::vector<mesh::Mesh>& meshes) {
+  nlohmann::ordered_json all = nlohmann::ordered_json::object();
   for (std::size_t body = 0; body < bodies.size(); ++body) {
-    auto& faces = all[bodies[body].name] = nlohmann::json::object();
+    auto& faces = all[bodies[body].name] = nlohmann::ordered_json::object();
     for (const mesh::NumberedFace& face : mesh::numbered_faces(meshes[body], bodies[body])) {
       faces[face.group] = {{"area", face.area},
                            {"normal", list_of(face.normal)},
@@ -39,7 +39,7 @@ nlohmann::json faces_of(std::span<const scene::Body> bodies, const std::vector<m
   return all;
 }
 
-void print_faces(const nlohmann::json& faces) {
+void print_faces(const nlohmann::ordered_json& faces) {
   for (const auto& [body, all] : faces.items()) {
     if (all.empty()) {
       fmt::print("body {}: its file has names of its own, its physical groups\n", body);

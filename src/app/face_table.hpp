@@ -10,13 +10,15 @@
 
 namespace idiophone::app {
 
-/// For each body an object of its faces by the names that decks use: "area" (m2), "normal" (the mean, which points
-/// outwards; shorter than 1 where the face is curved, zero where it is closed), "low" and "high" (corners of its box on
-/// the placed body, m). Empty for the bodies of .geo and .msh files, which name their groups themselves.
+/// For each body an object of its faces, in the order of their numbers, by the names that decks use: "area" (m2),
+/// "normal" (the mean, which points outwards; shorter than 1 where the face is curved, zero where it is closed), "low"
+/// and "high" (corners of its box on the placed body, m). Empty for the bodies of .geo and .msh files, which name their
+/// groups themselves.
 /// @param meshes  of the bodies
-[[nodiscard]] nlohmann::json faces_of(std::span<const scene::Body> bodies, const std::vector<mesh::Mesh>& meshes);
+[[nodiscard]] nlohmann::ordered_json faces_of(std::span<const scene::Body> bodies,
+                                              const std::vector<mesh::Mesh>& meshes);
 
 /// Prints a table for each body.
-void print_faces(const nlohmann::json& faces);
+void print_faces(const nlohmann::ordered_json& faces);
 
 }  // namespace idiophone::app

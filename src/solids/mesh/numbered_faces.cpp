@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 #include "idiophone/foundation/each_once.hpp"
 
@@ -125,6 +126,8 @@ std::vector<NumberedFace> numbered_faces(const Mesh& mesh, const scene::Body& bo
   for (NumberedFace& face : faces) {
     face.normal /= std::max(face.area, 1e-300);
   }
+  // The groups of a mesh are in the order of their names, where face_10 comes before face_2.
+  std::ranges::sort(faces, {}, [](const NumberedFace& face) { return std::pair(face.group.size(), face.group); });
   return faces;
 }
 

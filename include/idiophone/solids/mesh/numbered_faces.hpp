@@ -18,7 +18,7 @@ struct NumberedFace {
   Vector3 high = Vector3::Zero();    ///< the opposite one, m
 };
 
-/// The faces of a mesh; none of a .geo or .msh file, which has groups of its own.
+/// The faces of a mesh, ascending by their numbers; none of a .geo or .msh file, which has groups of its own.
 /// @param body  whose mesh it is
 [[nodiscard]] std::vector<NumberedFace> numbered_faces(const Mesh& mesh, const scene::Body& body);
 
