@@ -128,6 +128,18 @@ class Answers(program.TestCase):
         lying = self.ask("check", program.deck("touching"))["costs"]["contacts"]
         self.assertTrue(all(contact["begin"] < 1e-3 for contact in lying.values()), lying)
 
+    def test_check_plays_nothing_where_the_memory_does_not_suffice(self):
+        largest_grid = 29e9  # bytes
+        if os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") > largest_grid:
+            self.skipTest("this machine has room for the largest grid")
+        job = program.idiophone("check", program.deck("struck"), "--set", "radiation={model: waves, cell: 1.03e-4}", "--json")
+        self.require_status(job, program.FINISHED)
+        self.assertIn("the run does not fit into this memory, so its first moments were not played", job.stderr)
+        costs = json.loads(job.stdout)["costs"]
+        self.assertGreater(costs["memory_bytes"], largest_grid)
+        self.assertTrue(costs["contacts"])
+        self.assertTrue(all(contact is None for contact in costs["contacts"].values()), costs)
+
     def test_a_prediction_is_what_a_run_has(self):
         deck = program.deck("rich")
         for ranks in program.OTHER_RANKS:

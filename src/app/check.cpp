@@ -7,6 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -81,15 +82,18 @@ std::optional<waves::Plan> plan_of_waves(const bodies::Preparation& ready) {
   return propagation::wave_plan(ready.scene, bodies::audible_surface(ready, MPI_COMM_WORLD), MPI_COMM_WORLD);
 }
 
-/// @param sample_seconds  processor time of an audio sample of waves, s
+/// @param sample_seconds  processor time of an audio sample of waves, s; 0 where it is not known
 void report(const waves::Plan& plan, const scene::Scene& scene, double sample_seconds) {
   const double samples = scene.time.duration * scene.audio.rate;
+  const std::string time = sample_seconds > 0 ? fmt::format("{} for all steps ({:.3g} ms each)",
+                                                            advice::duration_text(samples * sample_seconds),
+                                                            1e3 * sample_seconds / plan.steps)
+                                              : "the time of their steps is not known";
   spdlog::info("waves: {} x {} x {} cells of {:.4g} m, {} steps in an audio sample, about {:.0f} MB of memory",
                plan.grid.cells[0], plan.grid.cells[1], plan.grid.cells[2], plan.grid.cell, plan.steps,
                plan.bytes() / mega);
-  spdlog::info("waves: levels hold up to {:.0f} Hz (10 cells a wavelength); {} for all steps ({:.3g} ms each)",
-               plan.highest_frequency(scene.radiation.air.speed), advice::duration_text(samples * sample_seconds),
-               1e3 * sample_seconds / plan.steps);
+  spdlog::info("waves: levels hold up to {:.0f} Hz (10 cells a wavelength); {}",
+               plan.highest_frequency(scene.radiation.air.speed), time);
 }
 
 /// What mesh is wanted, if --accuracy or --up-to is given.
@@ -142,8 +146,8 @@ void print_json(const bodies::Preparation& ready, nlohmann::json costs,
 advice::RehearsedSample motion_alone(const bodies::Preparation& ready, double step_seconds) {
   if (parallel::is_root(MPI_COMM_WORLD)) {
     spdlog::warn(
-        "the run does not fit into this memory, so its first moments were not played: its time is that of the "
-        "motion and contacts, without sound");
+        "the run does not fit into this memory, so its first moments were not played: its time is that of the motion, "
+        "without contacts and sound");
   }
   const double seconds = ready.steps_per_sample * step_seconds;
   return {.seconds = seconds, .motion = seconds};
@@ -191,10 +195,10 @@ int check(const CheckOptions& options) {
   const double needed = parallel::sum(measured.memory.of(ready.part), MPI_COMM_WORLD) + (waves ? waves->bytes() : 0.0);
   const double memory = loop::memory_of_machines(MPI_COMM_WORLD);
   const double step_seconds = measured.step.whole / parallel::size_of(MPI_COMM_WORLD);
-  const advice::RehearsedSample sample = needed <= memory || waves
-                                             ? advice::rehearse(ready, step_seconds, MPI_COMM_WORLD)
-                                             : motion_alone(ready, step_seconds);
-  if (prediction && waves) {
+  const bool fits = needed <= memory;
+  const advice::RehearsedSample sample =
+      fits ? advice::rehearse(ready, step_seconds, MPI_COMM_WORLD) : motion_alone(ready, step_seconds);
+  if (prediction && waves && fits) {
     const double of_all = sample.radiation * parallel::size_of(MPI_COMM_WORLD);
     prediction->waves =
         advice::predict_waves(*waves, *options.prediction.ranks, of_all / waves->steps, prediction->network);
@@ -203,7 +207,8 @@ int check(const CheckOptions& options) {
     write_exchanges(*prediction, options.prediction.exchanges);
   }
   const std::vector<advice::ContactCost> contacts =
-      advice::contact_costs(ready, sample.motion / ready.steps_per_sample, MPI_COMM_WORLD);
+      fits ? advice::contact_costs(ready, sample.motion / ready.steps_per_sample, MPI_COMM_WORLD)
+           : advice::unknown_costs(ready.scene);
   const std::vector<std::optional<std::string>> sheets = advice::sheet_warnings(ready, MPI_COMM_WORLD);
   if (!parallel::is_root(MPI_COMM_WORLD)) {
     return loop::exit_finished;

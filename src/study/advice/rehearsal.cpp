@@ -203,4 +203,10 @@ std::vector<ContactCost> contact_costs(const bodies::Preparation& ready, double 
   return costs;
 }
 
+std::vector<ContactCost> unknown_costs(const scene::Scene& scene) {
+  ContactCost unknown;
+  unknown.is_known = false;
+  return std::vector(scene.contacts.size(), unknown);
+}
+
 }  // namespace idiophone::advice

@@ -94,8 +94,7 @@ void report(const RunCosts& costs, const scene::Scene& scene, const std::vector<
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const ContactCost& cost = contacts[c];
     if (!cost.is_known) {
-      spdlog::info("contact {}: what it takes while parts of {} touch is not known before the run, and not counted",
-                   scene.contacts[c].name, scene.bodies[scene.contacts[c].body].name);
+      spdlog::info("contact {}: what it takes is not known before the run, and not counted", scene.contacts[c].name);
       continue;
     }
     spdlog::info("contact {}: acts in at most {:.4g} steps, from {:.4g} s on; each takes {:.3g} ms more, {} in all",

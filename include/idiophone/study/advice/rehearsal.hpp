@@ -24,7 +24,8 @@ struct RehearsedSample {
 struct ContactCost {
   Gap gap;
   TouchingTime time;
-  bool is_known = true;       ///< false of a body with itself: nobody knows before the run when its parts touch
+  bool is_known = true;       ///< false of a body with itself: nobody knows before the run when its parts touch; and
+                              ///< of unknown_costs()
   double steps = 0.0;         ///< that it can act in
   double step_seconds = 0.0;  ///< what such a step takes more than one without contact, s
   [[nodiscard]] double seconds() const { return steps * step_seconds; }
@@ -38,5 +39,8 @@ struct ContactCost {
 /// @return [contacts]
 [[nodiscard]] std::vector<ContactCost> contact_costs(const bodies::Preparation& ready, double step_seconds,
                                                      MPI_Comm communicator);
+
+/// What stands for contact_costs() where the run does not fit into the memory. [contacts]
+[[nodiscard]] std::vector<ContactCost> unknown_costs(const scene::Scene& scene);
 
 }  // namespace idiophone::advice
