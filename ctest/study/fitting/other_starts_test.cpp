@@ -2,15 +2,20 @@
 
 #include <gmock/gmock.h>
 
+#include <string>
+#include <vector>
+
 #include "bars.hpp"
 #include "idiophone/study/fitting/identification.hpp"
 #include "long_verification.hpp"
 #include "material_fit.hpp"
 #include "ranks.hpp"
+#include "shared_folder.hpp"
 
 namespace idiophone::fitting {
 namespace {
 
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 /// A tetragonal crystal, along the axes of its block.
@@ -48,6 +53,21 @@ TEST(OtherStarts, FindConstantsThatAreFarFromTheDeck) {
   }
   constexpr int from_the_deck = 20;
   EXPECT_GT(found.solves, from_the_deck);
+}
+
+TEST(OtherStarts, FarLinesAreComparedWithTheModesOfTheDeck) {
+  scene::Scene scene = bar_scene({0.06, 0.04, 0.01}, 0.03, 2);
+  scene.materials = {spruce()};
+  Measurements measured;
+  for (const double frequency : {8.0e5, 9.0e5, 10.0e5}) {
+    measured.lines.push_back({.frequency = frequency});
+  }
+  const auto refusal = [&](const std::vector<std::string>& constants) {
+    return support::error_of([&] { (void)identify(scene, measured, {.constants = constants}); });
+  };
+  const std::string expected = refusal({"constants"});
+  EXPECT_THAT(expected, HasSubstr("the lowest 11 modes of the body from"));
+  EXPECT_EQ(refusal({"constants", "turn_z"}), expected);
 }
 
 }  // namespace

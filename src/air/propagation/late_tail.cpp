@@ -8,6 +8,7 @@
 #include <random>
 
 #include "idiophone/air/radiation/absorption.hpp"
+#include "idiophone/foundation/random_numbers.hpp"
 #include "idiophone/foundation/spectra/transform.hpp"
 
 namespace idiophone::propagation {
@@ -56,7 +57,7 @@ double band_gain(std::size_t band, double frequency) {
 std::vector<double> band_noise(std::size_t band, std::size_t size, int rate, std::mt19937_64& engine) {
   std::vector<std::complex<double>> spectrum(size / 2 + 1);
   for (std::size_t k = 1; k < spectrum.size(); ++k) {
-    const double phase = 2.0 * pi * 0x1p-53 * static_cast<double>(engine() >> 11U);
+    const double phase = 2.0 * pi * uniform(engine);
     const double frequency = static_cast<double>(k) * rate / static_cast<double>(size);
     spectrum[k] = std::polar(band_gain(band, frequency) / std::sqrt(static_cast<double>(size)), phase);
   }

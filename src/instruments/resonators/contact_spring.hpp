@@ -3,7 +3,6 @@
 // common.
 
 #include <cmath>
-#include <random>
 
 #include "idiophone/instruments/resonators/damped_oscillator.hpp"
 #include "idiophone/instruments/score/action.hpp"
@@ -36,10 +35,5 @@ class ContactSpring {
   double angular_;  // rad/s
   double size_;     // m
 };
-
-/// Uniform between 0 and 1, from the same bits everywhere.
-inline double uniform(std::mt19937_64& random) {
-  return static_cast<double>(random() >> 11U) * 0x1p-53;
-}
 
 }  // namespace idiophone::resonators

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "contact_spring.hpp"
+#include "idiophone/foundation/random_numbers.hpp"
 
 namespace idiophone::resonators {
 

@@ -10,6 +10,7 @@
 #include <random>
 
 #include "contact_spring.hpp"
+#include "idiophone/foundation/random_numbers.hpp"
 #include "idiophone/instruments/resonators/force.hpp"
 #include "idiophone/instruments/resonators/resonator_bank.hpp"
 

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cmath>
 #include <cstddef>
+#include <iterator>
 
 #include "idiophone/instruments/sound_maps/sound_map.hpp"
 #include "idiophone/solids/eigenmodes/is_rigid_motion.hpp"

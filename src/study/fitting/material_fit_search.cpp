@@ -1,10 +1,10 @@
 // From which start a fit goes on.
 
 #include <algorithm>
-#include <random>
 #include <stdexcept>
 #include <utility>
 
+#include "idiophone/foundation/random_numbers.hpp"
 #include "material_fit.hpp"
 
 namespace idiophone::fitting {
@@ -65,13 +65,12 @@ std::vector<TurnedMaterial> MaterialFit::other_materials() const {
     return {};
   }
   const Expectation expected = expectation_of(start_);
-  std::mt19937_64 generator;  // begins always alike
-  std::normal_distribution<double> normal;
+  NormalNumbers normal;
   std::vector<TurnedMaterial> materials;
   for (int number = 0; number < drawn; ++number) {
     Eigen::VectorXd point = expected.middle;
     for (Eigen::Index k = 0; k < point.size(); ++k) {
-      point[k] += may_change[k] * expected.deviation[k] * normal(generator);
+      point[k] += may_change[k] * expected.deviation[k] * normal.next();
     }
     const TurnedMaterial material = with_unknowns(constants_, start_, point);
     if (is_stable(material)) {

@@ -85,6 +85,9 @@ std::vector<MaterialFit::Start> MaterialFit::find_starts(const std::vector<Turne
                                                          const std::vector<Line>& lowest, StrainedBody& body) {
   std::vector<Start> starts;
   double least = std::numeric_limits<double>::infinity();
+  const Eigen::VectorXd first_modes = model_->frequencies(modelled_);  // of the first material, the user's
+  const Multiplet& last = model_->multiplets().back();
+  const int first_count = last.first + last.count;
   for (const TurnedMaterial& turned : materials) {
     if (distance(constants_, turned, modelled_) > 0) {
       solve_lowest(body, turned, lowest.size());
@@ -110,15 +113,13 @@ std::vector<MaterialFit::Start> MaterialFit::find_starts(const std::vector<Turne
     }
   }
   if (starts.empty()) {
-    const Eigen::VectorXd modes = model_->frequencies(modelled_);
     throw std::runtime_error(fmt::format(
         "no line is within {:g} cents of a mode of the body, even if all are shifted by up to {:g} cents. The lines "
         "lie from {:.4g} to {:.4g} Hz, and the lowest {} modes of the body from {:.4g} to {:.4g} Hz, with a density of "
         "{:.4g} kg/m3. Are shape, size, material and constraints those of the measured body? Lengths are in m, the "
         "mass in kg, and lines in Hz",
-        judging, largest_shift, lowest.front().frequency, lowest.back().frequency,
-        model_->multiplets().back().first + model_->multiplets().back().count, modes.minCoeff(), modes.maxCoeff(),
-        modelled_.density));
+        judging, largest_shift, lowest.front().frequency, lowest.back().frequency, first_count, first_modes.minCoeff(),
+        first_modes.maxCoeff(), materials.front().density));
   }
   std::ranges::stable_sort(starts, {}, &Start::cost);
   return starts;

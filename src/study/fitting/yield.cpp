@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <random>
 
+#include "idiophone/foundation/random_numbers.hpp"
 #include "tracked_modes.hpp"
 
 namespace idiophone::fitting {
@@ -86,14 +86,13 @@ class Solver {
 };
 
 Yield draw(const ErrorModel& model, double within) {
-  std::mt19937_64 generator;  // begins always alike
-  std::normal_distribution<double> normal;
+  NormalNumbers normal;
   VectorXd numbers(model.slopes.cols());
   VectorXd sums = VectorXd::Zero(model.mean.size());
   VectorXd squares = sums;
   int in_tune = 0;
   for (int body = 0; body < bodies; ++body) {
-    std::ranges::generate(numbers, [&] { return normal(generator); });
+    std::ranges::generate(numbers, [&] { return normal.next(); });
     const VectorXd errors = model.at(numbers);
     in_tune += errors.lpNorm<Eigen::Infinity>() <= within ? 1 : 0;
     sums += errors - model.mean;
