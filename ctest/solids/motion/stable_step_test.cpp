@@ -57,6 +57,20 @@ TEST(StableStep, SupportStiffnessAndDashpotsLowerIt) {
   EXPECT_LT(limit().step, sprung.step);
 }
 
+/// Which bodies of 5 million nodes and more keep, for want of memory.
+TEST(StableStep, IsFoundWithEightVectors) {
+  Laboratory lab(support::block_mesh(element::tet10, {0.2, 0.1, 0.05}, {8, 4, 2}));
+  const auto limit = [&] {
+    return find_stable_steps(lab.part, FiniteElementDynamics(lab.scene, lab.part, lab.attachments))[0];
+  };
+  const StableStep expected = limit();
+  parallel::petsc(PetscOptionsSetValue(nullptr, "-stable_step_eps_ncv", "8"));
+  const StableStep found = limit();
+  parallel::petsc(PetscOptionsClearValue(nullptr, "-stable_step_eps_ncv"));
+  EXPECT_NEAR(found.largest_frequency / expected.largest_frequency, 1, 1e-3);
+  EXPECT_NE(found.largest_frequency, expected.largest_frequency) << "the option was not heard";
+}
+
 TEST(ChooseStepsPerSample, ResolvesTheBandOfLossFactors) {
   scene::Scene scene;
   EXPECT_EQ(choose_steps_per_sample(scene.time, scene.audio, 1.0, 0.0), 1);
