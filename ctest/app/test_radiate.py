@@ -83,7 +83,10 @@ class Radiate(program.TestCase):
             self.assertEqual(file["sounds/waves_error"].shape, (3,))
 
     def test_modes_are_the_same_on_any_ranks_and_open(self):
-        self.require_status(self.radiate("--modes", "3"), program.FINISHED)
+        job = self.radiate("--modes", "3")
+        self.require_status(job, program.FINISHED)
+        self.assertIn("finding the 3 lowest modes", job.stdout)
+        self.assertRegex(job.stdout, r"solving the sound of 3 motions up to \d+ Hz on a surface of \d+ vertices")
         alone = program.contents(self.output / "ball_radiation.h5")
         self.require_status(self.radiate("--modes", "3", ranks=2), program.FINISHED)
         together = program.contents(self.output / "ball_radiation.h5")

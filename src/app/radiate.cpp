@@ -209,9 +209,15 @@ int radiate(const RadiateOptions& options) {
                      .triangles = surface.boundary.triangles,
                      .first_triangle = surface.first_triangle},
                     propagation::Hearing::exact);
+    if (options.frequencies.empty() && options.velocities.empty()) {
+      spdlog::info("finding the {} lowest modes", options.modes);
+    }
     vibrations = vibrations_of(scene, part, surface, options);
     const harmonic::BoundaryElements elements(surface.boundary, {});
     check_resolution(vibrations, elements.longest_edge(), scene.radiation.air.speed);
+    spdlog::info("solving the sound of {} motions up to {:.0f} Hz on a surface of {} vertices", vibrations.size(),
+                 std::ranges::max_element(vibrations, {}, &harmonic::Vibration::frequency)->frequency,
+                 surface.boundary.vertices.size());
   });
   share(surface, vibrations, communicator);
   const harmonic::Radiation result = [&] {

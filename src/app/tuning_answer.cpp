@@ -53,7 +53,7 @@ void print_modes(const Tuning& tuning, const std::vector<Variable>& variables) {
   for (const Variable& variable : variables) {
     fmt::print("  {:>12}", short_name(variable.key));
   }
-  fmt::print("\n");
+  fmt::print("  kind\n");
   for (std::size_t m = 0; m < tuning.modes.size(); ++m) {
     const TunedMode& mode = tuning.modes[m];
     fmt::print("{:>10}  {:>4}  {:>12.4f}  {:>12.4f}  {:>10}  {:>12.4f}  {:>+7.2f}  {:>10.3f}", mode.start_mode,
@@ -63,7 +63,7 @@ void print_modes(const Tuning& tuning, const std::vector<Variable>& variables) {
     for (const double sensitivity : tuning.sensitivities[m]) {
       fmt::print("  {:>+12.3f}", sensitivity * 1e-3);
     }
-    fmt::print("\n");
+    fmt::print("  {}\n", mode.kind);
   }
   fmt::print(
       "(mesh: so much the mesh makes the frequency too high, estimated; under each key: cents per 0.001, so cents per "
@@ -238,7 +238,8 @@ nlohmann::json to_json(const TuningAnswer& answer) {
                             {"cents", mode.cents},
                             {"similarity", mode.similarity},
                             {"sensitivities", by_key(tuning.sensitivities[m], variables)},
-                            {"mesh_error", loop::number_or_null(mode.mesh_error)}};
+                            {"mesh_error", loop::number_or_null(mode.mesh_error)},
+                            {"kind", mode.kind}};
     facts["modes"].push_back(entry);
   }
   facts["decays"] = nlohmann::json::array();

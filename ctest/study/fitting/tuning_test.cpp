@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <numbers>
+#include <string>
 
 #include "bars.hpp"
 #include "idiophone/study/fitting/deck_numbers.hpp"
@@ -29,6 +31,7 @@ TEST(Tune, ALengthForAFrequency) {
   EXPECT_TRUE(found.is_tuned);
   EXPECT_NEAR(found.modes[0].frequency, 1000, 0.6);
   EXPECT_GT(found.modes[0].similarity, 0.9);
+  EXPECT_EQ(found.modes[0].kind, "bending 1 along z");
   // f ~ 1/length^2, but for shear.
   EXPECT_NEAR(found.sensitivities[0][0] * found.values[0], -2 * 1200 / std::log(2), 150);
 }
@@ -69,6 +72,23 @@ TEST(Tune, BeginsAgainElsewhereWhereALocalSearchIsStuck) {
   const Tuning found = tune(bar_with_two_dips, {{"place", 0.0, 1.0, 0.15}}, target, {.modes = {1}, .tolerance = 1});
   EXPECT_TRUE(found.is_tuned);
   EXPECT_NEAR(found.values[0], 0.5, 0.15);
+}
+
+/// A way from 0.1, where the bar is a little shorter, to 0.5 leads past a much shorter bar at 0.3.
+TEST(Tune, TellsAnErrorThatNeverRises) {
+  const auto scene_of = [](const std::vector<double>& values) {
+    const auto dip = [&](double middle, double width) { return std::exp(-std::pow((values[0] - middle) / width, 2)); };
+    return bar_with({0.2 - 0.02 * dip(0.1, 0.08) - 0.04 * dip(0.3, 0.05) - 0.005 * values[0]});
+  };
+  std::vector<double> told;
+  const auto watch = [&](const SearchState& state) {
+    told.push_back(std::stod(state.best.substr(std::string("best so far: ").size())));
+    return state.solves < 25;
+  };
+  const Target target{.values = {2050}};
+  static_cast<void>(tune(scene_of, {{"place", 0.0, 1.0, 0.1}}, target, {.modes = {1}, .tolerance = 1, .watch = watch}));
+  EXPECT_GT(told.front(), told.back());
+  EXPECT_TRUE(std::ranges::is_sorted(told, std::greater())) << ::testing::PrintToString(told);
 }
 
 TEST(Tune, StopsWithTheBestValues) {

@@ -1,6 +1,8 @@
 #include "mode_shapes.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -8,20 +10,21 @@
 #include "idiophone/solids/mesh/mesh.hpp"
 #include "idiophone/solids/mesh/part.hpp"
 #include "idiophone/solids/motion/attachments.hpp"
+#include "idiophone/study/mode_kinds/mode_kinds.hpp"
 
 namespace idiophone::fitting {
 
 namespace {
 
-/// Places in the box that the nodes span.
-Eigen::Matrix3Xd relative_places(const std::vector<Vector3>& nodes) {
+/// Adds the box that the nodes span, and their places in it.
+void add_places(const std::vector<Vector3>& nodes, ModeShapes& shapes) {
   Eigen::Matrix3Xd places(3, nodes.size());
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     places.col(static_cast<Eigen::Index>(n)) = nodes[n];
   }
   const Vector3 lowest = places.rowwise().minCoeff();
-  const Vector3 sides = (places.rowwise().maxCoeff() - lowest).cwiseMax(1e-300);
-  return sides.cwiseInverse().asDiagonal() * (places.colwise() - lowest);
+  shapes.sides = (places.rowwise().maxCoeff() - lowest).cwiseMax(1e-300);
+  shapes.places = shapes.sides.cwiseInverse().asDiagonal() * (places.colwise() - lowest);
 }
 
 /// The node of `others` that is nearest to each place. [places]
@@ -56,7 +59,7 @@ ModeShapes shapes_of(const mesh::Mesh& mesh, const std::vector<eigenmodes::Mode>
     result.shapes.emplace_back(
         Eigen::Map<const Eigen::VectorXd>(mode.shape.data(), static_cast<Eigen::Index>(mode.shape.size())));
   }
-  result.places = relative_places(mesh.nodes);
+  add_places(mesh.nodes, result);
   return result;
 }
 
@@ -75,6 +78,17 @@ std::vector<double> mesh_errors_of(const scene::Solids& solids, const eigenmodes
       eigenmodes::mesh_errors(solids, {mesh}, options.mass, shapes, eigenmodes::Estimates::quick).cents;
   errors.resize(shapes.size(), std::numeric_limits<double>::quiet_NaN());
   return errors;
+}
+
+std::vector<std::string> kinds_of(const ModeShapes& shapes) {
+  std::vector<Vector3> nodes;
+  for (Eigen::Index n = 0; n < shapes.places.cols(); ++n) {
+    nodes.emplace_back(shapes.sides.cwiseProduct(shapes.places.col(n)));
+  }
+  std::vector<std::vector<double>> fields;
+  std::ranges::transform(shapes.shapes, std::back_inserter(fields),
+                         [](const Eigen::VectorXd& shape) { return std::vector<double>(shape.begin(), shape.end()); });
+  return mode_kinds::kinds_of(nodes, fields);
 }
 
 Eigen::MatrixXd similarities(const ModeShapes& known, const std::vector<int>& chosen, const ModeShapes& others) {

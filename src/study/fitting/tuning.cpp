@@ -38,6 +38,20 @@ struct TriedBody {
   TrackedModes tracked;
 };
 
+/// The best of several bodies that were accepted.
+struct BestBody {
+  TriedBody body;
+  MatrixXd slopes;                                         ///< of its measures over the unknowns
+  double error = std::numeric_limits<double>::infinity();  ///< the largest, cents
+
+  /// Of two that are as good, the other: it may be the same one, and its derivatives are known by now.
+  void keep_if_better(const TriedBody& other, const MatrixXd& slopes_of_other, double error_of_other) {
+    if (error_of_other <= error) {
+      *this = {other, slopes_of_other, error_of_other};
+    }
+  }
+};
+
 class Search {
  public:
   Search(const SceneOf& scene_of, const std::vector<Variable>& variables, const Target& target,
@@ -66,7 +80,7 @@ class Search {
         search_from(halton_point(++further_, start_.point.size()));
       }
     } catch (const TuningStopped&) {
-      keep_if_better();
+      best_ = passed_;
       stopped = true;
     }
     return result_of(stopped);
@@ -126,20 +140,20 @@ class Search {
     return true;
   }
 
+  /// At the end of a local search.
   void keep_if_better() {
-    const double largest = largest_error(known_);
-    if (largest < smallest_error_) {
-      smallest_error_ = largest;
-      best_ = known_;
-      best_slopes_ = slopes_;
-    }
+    best_.keep_if_better(known_, slopes_, largest_error(known_));
+    pass();
   }
+
+  /// At each accepted point: a search for the least squares may leave the smallest error.
+  void pass() { passed_.keep_if_better(known_, slopes_, largest_error(known_)); }
 
   [[nodiscard]] double largest_error(const TriedBody& body) const {
     return wishes_.errors(measures(body)).lpNorm<Eigen::Infinity>();
   }
 
-  [[nodiscard]] bool is_tuned() const { return smallest_error_ <= options_.tolerance; }
+  [[nodiscard]] bool is_tuned() const { return best_.error <= options_.tolerance; }
 
   /// Searches from other points than the deck's.
   [[nodiscard]] int most_further() const { return starts_of_each * static_cast<int>(variables_.size()); }
@@ -149,10 +163,9 @@ class Search {
     if (!options_.watch) {
       return;
     }
-    const TriedBody& best = largest_error(known_) < smallest_error_ ? known_ : best_;
-    const std::vector<double> values = values_at(best.point);
+    const std::vector<double> values = values_at(passed_.body.point);
     std::string text = further_ == 0 ? "" : fmt::format("search {} of at most {}, ", 1 + further_, 1 + most_further());
-    text += fmt::format("best so far: {:.2f} cents", std::min(smallest_error_, largest_error(known_)));
+    text += fmt::format("best so far: {:.2f} cents", passed_.error);
     for (std::size_t i = 0; i < values.size(); ++i) {
       text += fmt::format(", {} {:.6g}", variables_[i].key, values[i]);
     }
@@ -198,11 +211,11 @@ class Search {
 
   /// Of the best body, cents; NaN if the user does not want to wait. [its modes up to the highest tuned one]
   [[nodiscard]] std::vector<double> mesh_errors(bool stopped) const {
-    const int count = std::ranges::max(best_.tracked.modes) + 1;
+    const int count = std::ranges::max(best_.body.tracked.modes) + 1;
     if (stopped) {
       return std::vector<double>(count, std::numeric_limits<double>::quiet_NaN());
     }
-    return mesh_errors_of(body_of(scene_of_(values_at(best_.point)), options_.body),
+    return mesh_errors_of(body_of(scene_of_(values_at(best_.body.point)), options_.body),
                           {.count = count, .mass = options_.mass});
   }
 
@@ -223,13 +236,16 @@ class Search {
       throw std::logic_error("derivatives are wanted elsewhere than at the last accepted point");
     }
     known_ = now_;
+    pass();
     const VectorXd here = measures(known_);
-    slopes_.resize(here.size(), point.size());
+    MatrixXd slopes(here.size(), point.size());
     for (Eigen::Index i = 0; i < point.size(); ++i) {
       const double change = point[i] > 0.5 ? -difference_step : difference_step;
       const VectorXd beside = point + change * VectorXd::Unit(point.size(), i);
-      slopes_.col(i) = (measures({beside, follow(known_.tracked, solve(beside))}) - here) / change;
+      slopes.col(i) = (measures({beside, follow(known_.tracked, solve(beside))}) - here) / change;
     }
+    slopes_ = std::move(slopes);
+    pass();
     return wishes_.residuals(slopes_);
   }
 
@@ -244,7 +260,7 @@ class Search {
 
   /// Derivatives of the best body's measures by the variables, in their own units.
   [[nodiscard]] MatrixXd own_slopes() const {
-    MatrixXd slopes = best_slopes_;
+    MatrixXd slopes = best_.slopes;
     for (Eigen::Index v = 0; v < slopes.cols(); ++v) {
       const Variable& variable = variables_[static_cast<std::size_t>(v)];
       slopes.col(v) /= variable.upper - variable.lower;
@@ -253,16 +269,17 @@ class Search {
   }
 
   [[nodiscard]] Tuning result_of(bool stopped) const {
-    Tuning result{.values = values_at(best_.point),
-                  .bounds = bounds_at(best_.point),
+    Tuning result{.values = values_at(best_.body.point),
+                  .bounds = bounds_at(best_.body.point),
                   .refusal = refusal_,
                   .solves = solves_,
                   .stopped = stopped};
-    const VectorXd errors = wishes_.errors(measures(best_));
+    const VectorXd errors = wishes_.errors(measures(best_.body));
     const MatrixXd slopes = own_slopes();
-    const TrackedModes &start = start_.tracked, &best = best_.tracked;
+    const TrackedModes &start = start_.tracked, &best = best_.body.tracked;
     const MatrixXd likeness = similarities(start.body, start.modes, best.body);
     const std::vector<double> mesh_errors = this->mesh_errors(stopped);
+    const std::vector<std::string> kinds = kinds_of(best.body);
     for (std::size_t i = 0; i < options_.modes.size(); ++i) {
       const double frequency = best.body.frequencies[best.modes[i]];
       result.modes.push_back({.start_mode = options_.modes[i],
@@ -272,7 +289,8 @@ class Search {
                               .wanted = frequency * std::exp2(-errors[i] / 1200),
                               .cents = errors[i],
                               .similarity = likeness(i, best.modes[i]),
-                              .mesh_error = mesh_errors[best.modes[i]]});
+                              .mesh_error = mesh_errors[best.modes[i]],
+                              .kind = kinds[best.modes[i]]});
       const VectorXd row = slopes.row(static_cast<Eigen::Index>(i));
       result.sensitivities.emplace_back(row.begin(), row.end());
     }
@@ -291,9 +309,10 @@ class Search {
   int further_ = 0;  ///< searches from other points that have begun
   int begun_ = 0;    ///< solves before the present search
   std::string refusal_;
-  TriedBody start_, known_, now_, best_;  ///< known: the last accepted; now: the last tried
-  MatrixXd slopes_, best_slopes_;         ///< measures over the unknowns, at the last accepted point, the best
-  double smallest_error_ = std::numeric_limits<double>::infinity();  ///< the largest of the best body's, cents
+  TriedBody start_, known_, now_;  ///< known: the last accepted; now: the last tried
+  MatrixXd slopes_;                ///< measures over the unknowns, at the last accepted point that has them
+  BestBody best_;                  ///< of the ends of the local searches
+  BestBody passed_;                ///< of all accepted ones
 };
 
 }  // namespace

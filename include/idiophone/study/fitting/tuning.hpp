@@ -36,7 +36,8 @@ struct TunedMode {
   double cents = 0.0;       ///< frequency over wanted
   double similarity = 0.0;  ///< of its shape with that at the start: modal assurance criterion, 0 to 1
   double mesh_error =
-      0.0;  ///< cents by which the mesh makes `frequency` too high, estimated; NaN where that takes long
+      0.0;                ///< cents by which the mesh makes `frequency` too high, estimated; NaN where that takes long
+  std::string kind = {};  ///< mode_kinds::kinds_of() of the tuned body; empty where it has no name
 };
 
 /// A mode whose decay time was wanted.
