@@ -129,6 +129,13 @@ TEST(Eigensolver, DoesNotDependOnTheSizeOfTheBody) {
   }
 }
 
+/// A clamped ruler, whose elements are so thin that K x has no digits left at its lowest frequency.
+TEST(Eigensolver, RefusesModesThatRoundingMakesWrong) {
+  VibratingBody ruler = block(element::hex(3, 2), {1.0, 0.02, 3e-4}, {50, 1, 1});
+  ruler.fix("x0");
+  EXPECT_THROW((void)ruler.find({.count = 1}, MPI_COMM_SELF), std::runtime_error);
+}
+
 TEST(Eigensolver, SaysTheLowestFrequencyWhereABodyHasNoModesUpToTheWantedOne) {
   VibratingBody body = cube();
   const double lowest = body.find({.count = 1}, MPI_COMM_SELF).modes.front().frequency;

@@ -117,10 +117,11 @@ std::vector<Eigenpair> search(const EigenProblem& problem, const Known& known, i
     const double error = relative_residual(shifted, problem.mass(), value, vector);
     value -= shift;
     if (!(value > 0) || !(error < largest_residual)) {
-      throw std::runtime_error(fmt::format(
-          "mode {} is wrong (eigenvalue {:.3g} 1/s2, relative residual {:.2g}): does a part of the body hang on "
-          "by a line or a point?",
-          i + 1, value, error));
+      throw std::runtime_error(
+          fmt::format("mode {} is wrong (eigenvalue {:.3g} 1/s2, relative residual {:.2g}): either a part of the body "
+                      "hangs on by a line or a point, or the elements are so thin that rounding decides such a low "
+                      "mode; then thicker elements, or fewer through the thickness, help",
+                      i + 1, value, error));
     }
     pairs.push_back({value, problem.extended(vector)});
   }
