@@ -26,6 +26,7 @@ function(idiophone_app_test name)
 endfunction()
 
 foreach(name IN ITEMS same_bits listen recorded_body damage stopping output_lock wrong_input collectives outputs listeners
+        heard_forces
         physics visibility movie modes modal_bodies map mesh_notes mesh_file meshes_in_parts contact self_contact radiation radiate radiate_joined waves table1 install
         answers explore explorer_page explorer_large made_bodies falling drop detail_over_cost abx report site play strokes proxies rooms stage fitting bench timbre music timbre_faust
         timbre_run midi_out evolve_page gltf measured_map fracture screens diffraction changing_triangles proxy_bodies
