@@ -132,13 +132,23 @@ class Answers(program.TestCase):
         largest_grid = 29e9  # bytes
         if os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") > largest_grid:
             self.skipTest("this machine has room for the largest grid")
-        job = program.idiophone("check", program.deck("struck"), "--set", "radiation={model: waves, cell: 1.03e-4}", "--json")
+        command = "check", program.deck("struck"), "--set", "radiation={model: waves, cell: 1.03e-4}", "-n", 2
+        job = program.idiophone(*command, "--json")
         self.require_status(job, program.FINISHED)
         self.assertIn("the run does not fit into this memory, so its first moments were not played", job.stderr)
-        costs = json.loads(job.stdout)["costs"]
+        answer = json.loads(job.stdout)
+        costs = answer["costs"]
         self.assertGreater(costs["memory_bytes"], largest_grid)
         self.assertTrue(costs["contacts"])
         self.assertTrue(all(contact is None for contact in costs["contacts"].values()), costs)
+        self.assertFalse(costs["played"])
+        self.assertGreater(costs["least_seconds"], 0)
+        for unknown in costs["seconds"], costs["most_seconds"], costs["contact_seconds"], answer["prediction"]["waves"]:
+            self.assertIsNone(unknown)
+        told = program.idiophone(*command).stdout
+        for said in "the time of their steps is not known", "is not known, as nothing was played, and not counted", \
+                    "more than", "waves: their cells, memory and time on these ranks are not known":
+            self.assertIn(said, told)
 
     def test_a_prediction_is_what_a_run_has(self):
         deck = program.deck("rich")

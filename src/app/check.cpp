@@ -82,13 +82,13 @@ std::optional<waves::Plan> plan_of_waves(const bodies::Preparation& ready) {
   return propagation::wave_plan(ready.scene, bodies::audible_surface(ready, MPI_COMM_WORLD), MPI_COMM_WORLD);
 }
 
-/// @param sample_seconds  processor time of an audio sample of waves, s; 0 where it is not known
-void report(const waves::Plan& plan, const scene::Scene& scene, double sample_seconds) {
+/// @param sample  its time of the radiation is that of waves
+void report(const waves::Plan& plan, const scene::Scene& scene, const advice::RehearsedSample& sample) {
   const double samples = scene.time.duration * scene.audio.rate;
-  const std::string time = sample_seconds > 0 ? fmt::format("{} for all steps ({:.3g} ms each)",
-                                                            advice::duration_text(samples * sample_seconds),
-                                                            1e3 * sample_seconds / plan.steps)
-                                              : "the time of their steps is not known";
+  const std::string time = sample.is_played ? fmt::format("{} for all steps ({:.3g} ms each)",
+                                                          advice::duration_text(samples * sample.radiation),
+                                                          1e3 * sample.radiation / plan.steps)
+                                            : "the time of their steps is not known";
   spdlog::info("waves: {} x {} x {} cells of {:.4g} m, {} steps in an audio sample, about {:.0f} MB of memory",
                plan.grid.cells[0], plan.grid.cells[1], plan.grid.cells[2], plan.grid.cell, plan.steps,
                plan.bytes() / mega);
@@ -150,7 +150,7 @@ advice::RehearsedSample motion_alone(const bodies::Preparation& ready, double st
         "without contacts and sound");
   }
   const double seconds = ready.steps_per_sample * step_seconds;
-  return {.seconds = seconds, .motion = seconds};
+  return {.seconds = seconds, .motion = seconds, .is_played = false};
 }
 
 /// Lists the faces of all bodies. Collective.
@@ -224,7 +224,7 @@ int check(const CheckOptions& options) {
     report_pitch(ready, estimates);
     advice::report_doubts(ready);
     if (waves) {
-      report(*waves, ready.scene, sample.radiation);
+      report(*waves, ready.scene, sample);
       report_sections(sections, ready.scene);
       advice::print(sheets);
     }
@@ -236,6 +236,9 @@ int check(const CheckOptions& options) {
     report(costs, ready.scene, contacts);
     if (prediction) {
       report(*prediction);
+      if (waves && !prediction->waves) {
+        spdlog::info("  waves: their cells, memory and time on these ranks are not known, as nothing was played");
+      }
     }
   }
   loop::compare_memory(costs.memory, memory);

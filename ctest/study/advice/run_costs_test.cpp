@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <vector>
 
@@ -42,6 +43,17 @@ TEST(ModalProposal, NamesBodiesWhereItSavesTenMinutes) {
 
 TEST(RunCosts, LieBetweenLittleAndAllContact) {
   EXPECT_DOUBLE_EQ((RunCosts{.least = 4, .most = 25}).seconds(), 10.0);
+}
+
+TEST(RunCosts, AreNotEstimatedWhereNothingWasPlayed) {
+  scene::Scene scene;
+  const nlohmann::json facts = facts_of({.least = 4, .most = 4, .is_played = false}, scene, {});
+  EXPECT_FALSE(facts.at("played"));
+  EXPECT_EQ(facts.at("least_seconds"), 4);
+  for (const char* unknown : {"seconds", "most_seconds", "contact_seconds"}) {
+    EXPECT_TRUE(facts.at(unknown).is_null()) << unknown;
+  }
+  EXPECT_EQ(facts_of({.least = 4, .most = 25}, scene, {}).at("seconds"), 10);
 }
 
 }  // namespace

@@ -26,6 +26,14 @@ bool can_be_modal(const scene::Body& body) {
   return !body.modal && body.fracture.empty() && body.driven.empty() && std::ranges::all_of(body.fixed, holds_all);
 }
 
+/// For the message about a contact whose cost is not known.
+std::string why_unknown(const scene::Scene& scene, const scene::Contact& contact) {
+  if (contact.other == contact.body) {
+    return fmt::format(" before the run while parts of {} touch", scene.bodies[contact.body].name);
+  }
+  return ", as nothing was played";
+}
+
 }  // namespace
 
 RunCosts run_costs(const bodies::Preparation& ready, const Measured& measured, double memory, MPI_Comm communicator) {
@@ -50,6 +58,7 @@ RunCosts run_costs(const bodies::Preparation& ready, const Measured& measured, d
     costs.least += contact.time.is_certain ? contact.seconds() : 0.0;
   }
   costs.most = costs.preparation + files * costs.samples * measured.sample.seconds + costs.contact;
+  costs.is_played = measured.sample.is_played;
   costs.ranks = parallel::size_of(communicator);
   costs.modal_proposal = modal_proposal(scene, ready.initial_state.steps, costs.motion);
   return costs;
@@ -94,7 +103,8 @@ void report(const RunCosts& costs, const scene::Scene& scene, const std::vector<
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const ContactCost& cost = contacts[c];
     if (!cost.is_known) {
-      spdlog::info("contact {}: what it takes is not known before the run, and not counted", scene.contacts[c].name);
+      spdlog::info("contact {}: what it takes is not known{}, and not counted", scene.contacts[c].name,
+                   why_unknown(scene, scene.contacts[c]));
       continue;
     }
     spdlog::info("contact {}: acts in at most {:.4g} steps, from {:.4g} s on; each takes {:.3g} ms more, {} in all",
@@ -104,9 +114,9 @@ void report(const RunCosts& costs, const scene::Scene& scene, const std::vector<
   if (!costs.modal_proposal.empty()) {
     spdlog::info(costs.modal_proposal);
   }
-  spdlog::info("about {} on {} rank{} ({} of it preparation; a step takes {:.3g} ms without contact)",
-               duration_text(costs.seconds()), costs.ranks, costs.ranks == 1 ? "" : "s",
-               duration_text(costs.preparation), 1e3 * costs.step_seconds);
+  spdlog::info("{} {} on {} rank{} ({} of it preparation; a step takes {:.3g} ms without contact)",
+               costs.is_played ? "about" : "more than", duration_text(costs.seconds()), costs.ranks,
+               costs.ranks == 1 ? "" : "s", duration_text(costs.preparation), 1e3 * costs.step_seconds);
   if (costs.most > 1.2 * costs.least) {
     spdlog::info("  from {} with little contact to {} if all contacts act as long as they can",
                  duration_text(costs.least), duration_text(costs.most));
@@ -114,6 +124,7 @@ void report(const RunCosts& costs, const scene::Scene& scene, const std::vector<
 }
 
 nlohmann::json facts_of(const RunCosts& costs, const scene::Scene& scene, const std::vector<ContactCost>& contacts) {
+  const auto if_played = [&](double seconds) { return costs.is_played ? nlohmann::json(seconds) : nlohmann::json(); };
   nlohmann::json facts = {{"samples", costs.samples},
                           {"steps", costs.steps},
                           {"memory_bytes", costs.memory},
@@ -123,10 +134,11 @@ nlohmann::json facts_of(const RunCosts& costs, const scene::Scene& scene, const 
                           {"step_seconds", costs.step_seconds},
                           {"preparation_seconds", costs.preparation},
                           {"motion_seconds", costs.motion},
-                          {"contact_seconds", costs.contact},
-                          {"seconds", costs.seconds()},
+                          {"played", costs.is_played},
+                          {"contact_seconds", if_played(costs.contact)},
+                          {"seconds", if_played(costs.seconds())},
                           {"least_seconds", costs.least},
-                          {"most_seconds", costs.most},
+                          {"most_seconds", if_played(costs.most)},
                           {"ranks", costs.ranks},
                           {"modal_proposal", costs.modal_proposal},
                           {"contacts", nlohmann::json::object()}};

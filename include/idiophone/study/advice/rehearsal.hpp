@@ -11,6 +11,7 @@ struct RehearsedSample {
   double seconds = 0.0;    ///< motion and sound, s
   double motion = 0.0;     ///< part of it: of the bodies, contact included, s
   double radiation = 0.0;  ///< part of it: from emissions to listeners, s
+  bool is_played = true;   ///< false: of the motion alone, without contacts and sound, whose times are not known
 };
 
 /// Advances bodies and air as a run does, for some tenths of a second. Where the steps of one audio sample take longer,

@@ -34,6 +34,7 @@ struct RunCosts {
   double contact = 0.0;       ///< processor time of contact at the most, s
   double least = 0.0;         ///< processor time of the run with no more contact than is certain, s
   double most = 0.0;          ///< processor time of the run with contact at the most, s
+  bool is_played = true;      ///< see RehearsedSample; false: a run takes longer than `least`, nobody knows how much
   int ranks = 1;
   std::string modal_proposal = {};  ///< empty: none
 
