@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace idiophone::accuracy {
 namespace {
@@ -77,6 +78,21 @@ TEST(HighestFrequency, IsWhereTheErrorReachesTheCents) {
     const double highest = highest_frequency(cells(0.006), narrow, steel, cents);
     EXPECT_NEAR(pitch_error(cells(0.006), narrow, steel, highest), cents, 1e-3 * cents);
   }
+}
+
+TEST(WithoutRules, AreBodiesThatAreNotOneFlatPieceOfOneMaterial) {
+  const mesh::Statistics flat = plate(0.01);
+  mesh::Statistics bowed = flat;
+  bowed.extents = {0.3, 0.3, 2.1 * plate_thickness};
+  scene::Body body = plate_of(element::tet10);
+  EXPECT_EQ(without_rules(body, flat), std::nullopt);
+  EXPECT_EQ(without_rules(body, bowed), "curved or joined thin walls");
+  bowed.extents[2] = 1.9 * plate_thickness;
+  EXPECT_EQ(without_rules(body, bowed), std::nullopt);
+  body.prestress.emplace();
+  EXPECT_EQ(without_rules(body, flat), "bodies under tension");
+  body.regions.resize(1);
+  EXPECT_EQ(without_rules(body, flat), "bodies of several materials");
 }
 
 TEST(MeshWarning, NamesTetrahedraThatLock) {

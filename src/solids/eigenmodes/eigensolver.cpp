@@ -67,8 +67,9 @@ PetscErrorCode tell_watch(EPS solver, PetscInt iterations, PetscInt most_iterati
   PetscFunctionReturn(0);
 }
 
-/// |A x - lambda M x| / |lambda M x| of an eigenpair, which does not depend on units or on the size of the body.
-/// @param value  lambda
+/// |A x - lambda M x| / |lambda M x| of an eigenpair, which does not depend on units or on the size of the body. With
+/// A = K + shift M, modes far below the shift may have larger errors: slow motions on soft supports are not refused.
+/// @param value  lambda, the shift included
 double relative_residual(Mat matrix, Mat mass, PetscScalar value, Vec vector) {
   parallel::Handle<Vec> residual;
   parallel::Handle<Vec> inertia;
@@ -216,6 +217,17 @@ std::vector<Eigenpair> lowest_eigenpairs(const EigenProblem& problem,
   complete(problem, known, pairs, shift, complete_count(problem, known.size(), pairs, wanted));
   pairs.resize(found);
   return pairs;
+}
+
+std::optional<double> lowest_frequency(const EigenProblem& problem,
+                                       const std::vector<std::vector<double>>& rigid_motions, double shift,
+                                       const PartWatch& watch) {
+  try {
+    const double lowest = lowest_eigenpairs(problem, rigid_motions, {1}, shift, watch).front().value;
+    return std::sqrt(lowest) / (2 * std::numbers::pi);
+  } catch (const std::runtime_error&) {
+    return {};  // whoever asked for other modes need not hear of this one's faults
+  }
 }
 
 }  // namespace idiophone::eigenmodes

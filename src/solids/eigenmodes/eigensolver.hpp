@@ -30,4 +30,10 @@ struct EigenpairCount {
                                                        const EigenpairCount& wanted, double shift,
                                                        const PartWatch& watch = {});
 
+/// The frequency of the lowest mode beside the rigid motions, Hz, for messages; none where lowest_eigenpairs() fails.
+/// Collective. The parameters are those of lowest_eigenpairs().
+[[nodiscard]] std::optional<double> lowest_frequency(const EigenProblem& problem,
+                                                     const std::vector<std::vector<double>>& rigid_motions,
+                                                     double shift, const PartWatch& watch = {});
+
 }  // namespace idiophone::eigenmodes

@@ -15,10 +15,11 @@ class NoModes : public std::runtime_error {
   /// None up to a frequency.
   /// @param body              as the message calls it: "body 'bar'"
   /// @param up_to             that was asked for, Hz
-  /// @param lowest_frequency  that it has, Hz
-  NoModes(const std::string& body, double up_to, double lowest_frequency);
+  /// @param lowest_frequency  that it has, Hz; none where it is not known
+  NoModes(const std::string& body, double up_to, std::optional<double> lowest_frequency);
 
-  std::optional<double> lowest;  ///< frequency of the lowest mode, Hz; none where the body has no modes
+  std::optional<double>
+      lowest;  ///< frequency of the lowest mode, Hz; none where it is not known, or there are no modes
 };
 
 }  // namespace idiophone::eigenmodes
