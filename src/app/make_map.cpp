@@ -30,7 +30,7 @@ std::optional<sound_maps::SoundMap> find_modes(const std::string& body, const Fi
     } catch (const eigenmodes::NoModes& error) {
       const std::string reason =
           error.what() + std::string(error.lowest ? " (--up-to more than that, or --modes)" : "");
-      spdlog::error("no map of {}: {}. The others are made", body, reason);
+      spdlog::error("{}. There is no map of it; those of others are made", reason);
       outcome.failures.push_back({{"body", body}, {"reason", reason}});
       has_modes = false;
     }

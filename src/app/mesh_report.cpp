@@ -43,6 +43,7 @@ std::optional<std::string> pitch_warning(const bodies::Preparation& ready, std::
   if (!ready.initial_state.steps[b].is_limited() || !body.is_one_material_at_rest()) {
     return {};
   }
+  // Curved thin walls have no rules for their pitch, but they lock and need as many elements in a wave as flat ones.
   return accuracy::mesh_warning(ready.statistics[b], body, ready.scene.materials[body.material],
                                 std::min(ready.scene.audio.max_frequency, solid::highest_audible));
 }

@@ -1,5 +1,6 @@
 #pragma once
-// Random numbers that are the same with every standard library, as those of <random>'s distributions are not.
+// Random numbers that do not depend on the standard library, but for the rounding of log. Those of <random>'s
+// distributions do.
 
 #include <cmath>
 #include <optional>

@@ -85,7 +85,7 @@ std::vector<MaterialFit::Start> MaterialFit::find_starts(const std::vector<Turne
                                                          const std::vector<Line>& lowest, StrainedBody& body) {
   std::vector<Start> starts;
   double least = std::numeric_limits<double>::infinity();
-  const Eigen::VectorXd first_modes = model_->frequencies(modelled_);  // of the first material, the user's
+  const Eigen::VectorXd first_modes = model_->frequencies(modelled_);  // of materials.front(), for the message
   const Multiplet& last = model_->multiplets().back();
   const int first_count = last.first + last.count;
   for (const TurnedMaterial& turned : materials) {
