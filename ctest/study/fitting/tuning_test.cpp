@@ -82,7 +82,8 @@ TEST(Tune, TellsAnErrorThatNeverRises) {
   };
   std::vector<double> told;
   const auto watch = [&](const SearchState& state) {
-    told.push_back(std::stod(state.best.substr(std::string("best so far: ").size())));
+    const std::string before = "best so far: ";  // which the number of the search may come before
+    told.push_back(std::stod(state.best.substr(state.best.find(before) + before.size())));
     return state.solves < 25;
   };
   const Target target{.values = {2050}};
