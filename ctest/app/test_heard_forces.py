@@ -14,6 +14,7 @@ SPEED = 171.5  # m/s, of sound
 DELAY = 0.010  # s
 NEAR = [-SPEED * DELAY, 0, 0]  # m: so far away is the listener, and twice as far from the origin
 LISTENER = [-2 * SPEED * DELAY, 0, 0]
+FAR_AWAY = [NEAR[0] - SPEED * 0.5, 0, 0]  # of another listener, half a second away
 TIME = numpy.arange(int(DURATION * RATE)) / RATE
 
 
@@ -28,14 +29,15 @@ class HeardForces(program.TestCase):
             for name, (rate, columns, rows) in {"audio__ear": (RATE, ["ear"], tone), **series}.items():
                 data = file.create_dataset(name.replace("__", "/"), data=numpy.reshape(rows, (-1, len(columns))))
                 data.attrs.update(rate=rate, unit="1", columns=columns, description="of a test")
-            file["audio/ear"].attrs["positions"] = [LISTENER]
+            for name, listener in file["audio"].items():
+                listener.attrs["positions"] = [FAR_AWAY if name == "far" else LISTENER]
         return path
 
-    def contact(self, touches):
+    def contact(self, touches, **series):
         """A result with a contact that touches at some times."""
         rows = touches[:, None]
         return self.result(contacts__clack__force=(RATE, ["x", "y", "z"], rows * [0.0, 0.0, 5.0]),
-                           contacts__clack__point=(RATE, ["x", "y", "z"], rows * NEAR))
+                           contacts__clack__point=(RATE, ["x", "y", "z"], rows * NEAR), **series)
 
     def heard_until(self, result, start, end):
         """{name of a force: the time of its warning, s}"""
@@ -57,6 +59,21 @@ class HeardForces(program.TestCase):
         result = self.contact(TIME < 0.5)
         self.assertEqual(self.heard_until(result, 0.1, 0.507), {})
         self.assertAlmostEqual(self.heard_until(result, 0.1, 0.513)["contact clack"], 0.5 + DELAY, delta=2 / RATE)
+
+    def test_each_listener_hears_a_contact_in_its_time(self):
+        result = self.contact(TIME < 0.1, audio__far=(RATE, ["far"], numpy.sin(2 * numpy.pi * 440 * TIME)))
+        job = program.idiophone("analyze", result, "--start", 0.3, "--duration", 0.6)
+        self.require_status(job, program.FINISHED)
+        warnings = re.findall(r"(\w+): forces act in this part \(contact clack, heard until ([\d.]+) s", job.stderr + job.stdout)
+        self.assertEqual([name for name, _ in warnings], ["far"])
+        self.assertAlmostEqual(float(warnings[0][1]), 0.6, delta=2 / RATE)
+
+    def test_a_part_outside_of_the_sound_is_told(self):
+        result = self.contact(TIME < 0.2)
+        for start, duration in [(0.9, -0.5), (0.9, "inf"), (2.0, 0.1)]:
+            job = program.idiophone("analyze", result, "--start", start, "--duration", duration)
+            self.require_status(job, program.FAILED)
+            self.assertIn("the sound lasts 1 s", job.stderr)
 
     def test_loads_are_heard_from_the_farthest_body_until_the_end_of_the_part(self):
         rate = 1000

@@ -105,7 +105,7 @@ void warn_of_turning(const spectra::Sound& sound, const AnalyzeOptions& options)
   }
 }
 
-/// Warns of forces that act while the first sound is analysed, which tells it for all.
+/// Warns of forces that a listener hears in the part that is analysed.
 void warn_of_forces(const spectra::Sound& sound, const AnalyzeOptions& options) {
   const auto [start, duration] = part_of(sound, options);
   std::vector<std::string> acting;
@@ -117,7 +117,7 @@ void warn_of_forces(const spectra::Sound& sound, const AnalyzeOptions& options) 
         "{}: forces act in this part ({}), so the sound is no free decay: frequencies of the forces look like "
         "partials, and levels and decay times of partials can be wrong. Choose a part without forces (--start, "
         "--duration)",
-        options.result.filename().string(), fmt::join(acting, "; "));
+        sound.name, fmt::join(acting, "; "));
   }
 }
 
@@ -225,9 +225,7 @@ int analyze(const AnalyzeOptions& options) {
     }
     if (is_result) {
       warn_of_turning(sound, options);
-      if (!found) {
-        warn_of_forces(sound, options);
-      }
+      warn_of_forces(sound, options);
     }
     const partials::PartialsByChannel partials = find_partials(sound, options);
     if (options.style == Style::json) {

@@ -15,6 +15,7 @@
 #include "idiophone/scene/radiation_section.hpp"
 #include "idiophone/study/partials/measured_sounds.hpp"
 #include "names_in_paths.hpp"
+#include "rows_between.hpp"
 
 namespace idiophone::partials {
 
@@ -61,20 +62,10 @@ struct Part {
   [[nodiscard]] bool has(double time) const { return time >= start && time <= end; }
 };
 
-/// Rows of a series.
-struct HeardRows {
-  std::int64_t first = 0;
-  std::vector<double> values;  ///< a row's columns side by side
-};
-
-/// The rows whose sound can arrive in a part.
-HeardRows heard_rows(const results::SeriesReader& result, const spectra::Series& series, const Part& part) {
-  constexpr double longest_delay = 1.0;  // s: from 340 m away
-  const std::int64_t rows = result.rows(series);
-  const auto row_at = [&](double time) { return std::clamp<std::int64_t>(std::llround(time * series.rate), 0, rows); };
-  const std::int64_t first = row_at(part.start - longest_delay);
-  const std::int64_t last = std::min(row_at(part.end) + 1, rows);
-  return {first, result.read(series, first, last - first)};
+/// All rows of a series until a time (s), a row's columns side by side.
+std::vector<double> rows_until(const results::SeriesReader& result, const spectra::Series& series, double end) {
+  const Rows rows = rows_between(result, series, 0.0, end);
+  return result.read(series, rows.first, rows.count);
 }
 
 /// When the sound of a contact's force that is not zero arrives last, s; none of a force that acts in all rows that are
@@ -83,8 +74,8 @@ HeardRows heard_rows(const results::SeriesReader& result, const spectra::Series&
 std::optional<double> last_heard_touch(const results::SeriesReader& result, const std::string& contact, const Ear& ear,
                                        const Part& part) {
   const spectra::Series& series = result.find("contacts/" + contact + "/force");
-  const auto [first, forces] = heard_rows(result, series, part);
-  const std::vector<double> points = heard_rows(result, result.find("contacts/" + contact + "/point"), part).values;
+  const std::vector<double> forces = rows_until(result, series, part.end);
+  const std::vector<double> points = rows_until(result, result.find("contacts/" + contact + "/point"), part.end);
   const std::size_t end = std::min(forces.size(), points.size());
   const auto acts = [](double value) { return value != 0; };
   const auto touch = static_cast<std::size_t>(std::ranges::find_if(forces, acts) - forces.begin());
@@ -93,8 +84,7 @@ std::optional<double> last_heard_touch(const results::SeriesReader& result, cons
   for (std::size_t at = 0, place = touch - touch % 3; place < end && at < end; at += 3) {
     const bool touches = std::ranges::any_of(std::span(forces).subspan(at, 3), acts);
     place = touches ? at : place;
-    const double arrival = static_cast<double>(first + static_cast<std::int64_t>(at / 3)) / series.rate +
-                           ear.delay(Vector3(&points[place]));
+    const double arrival = static_cast<double>(at / 3) / series.rate + ear.delay(Vector3(&points[place]));
     if (part.has(arrival)) {
       ++heard;
       touched += touches ? 1 : 0;
@@ -125,12 +115,12 @@ Delays delays_of_bodies(const results::SeriesReader& result, const Ear& ear) {
 /// farthest away.
 std::optional<double> last_heard_work(const results::SeriesReader& result, const spectra::Series& energy,
                                       const Ear& ear, const Part& part) {
-  const auto [first, values] = heard_rows(result, energy, part);
+  const std::vector<double> values = rows_until(result, energy, part.end);
   const std::size_t width = energy.columns.size();
   const auto work = static_cast<std::size_t>(std::ranges::find(energy.columns, "work") - energy.columns.begin());
   const Delays delays = delays_of_bodies(result, ear);
   for (std::size_t row = values.size() / width; work < width && row-- > 1;) {
-    const double time = static_cast<double>(first + static_cast<std::int64_t>(row)) / energy.rate;
+    const double time = static_cast<double>(row) / energy.rate;
     const bool is_heard = time + delays.least <= part.end && time + delays.largest >= part.start;
     if (is_heard && values[row * width + work] != values[(row - 1) * width + work]) {
       return std::min(time + delays.largest, part.end);

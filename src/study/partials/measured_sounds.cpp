@@ -12,6 +12,7 @@
 #include "idiophone/foundation/spectra/sound_file.hpp"
 #include "idiophone/run/results/series_reader.hpp"
 #include "names_in_paths.hpp"
+#include "rows_between.hpp"
 
 namespace idiophone::partials {
 
@@ -28,20 +29,6 @@ double largest_turn(const std::vector<double>& quaternions) {
     least = std::min(least, std::abs(product));
   }
   return 2 * std::acos(least) * 180 / std::numbers::pi;
-}
-
-/// Rows of a series.
-struct Rows {
-  std::int64_t first = 0;
-  std::int64_t count = 0;
-};
-
-/// The rows from `start` to `end`, s.
-Rows rows_between(const results::SeriesReader& reader, const spectra::Series& series, double start, double end) {
-  const std::int64_t all = reader.rows(series);
-  const auto first = std::clamp<std::int64_t>(std::llround(start * series.rate), 0, all);
-  const auto last = std::clamp<std::int64_t>(std::llround(end * series.rate) + 1, first, all);
-  return {first, last - first};
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ struct ActingForce {
 /// The forces whose sound a listener hears from `start` to `end` (s), so that the bodies do not vibrate freely then:
 /// pulses, winds, bows and driven groups, by the work that they do (where the result has energies), and contacts that
 /// open or close. Sound travels straight from the point of a contact, and from the middle of the farthest body for
-/// loads, to where the listener is at the beginning, in a second at the most.
+/// loads, to where the listener is at the beginning.
 /// @throws std::invalid_argument if there is no such listener
 [[nodiscard]] std::vector<ActingForce> acting_forces(const std::filesystem::path& result, const std::string& listener,
                                                      double start, double end);
