@@ -22,7 +22,6 @@
 namespace idiophone::eigenmodes {
 namespace {
 
-using ::testing::EndsWith;
 using ::testing::HasSubstr;
 
 constexpr int rigid = 6;
@@ -137,15 +136,15 @@ TEST(Eigensolver, DoesNotDependOnTheSizeOfTheBody) {
 TEST(Eigensolver, RefusesModesThatRoundingMakesWrong) {
   VibratingBody ruler = block(element::hex(3, 2), {1.0, 0.02, 3e-4}, {50, 1, 1});
   ruler.fix("x0");
-  EXPECT_THAT(ruler.refusal({.count = 1}), HasSubstr("mode 1 is wrong"));
+  EXPECT_THAT(ruler.refusal({.count = 1}), HasSubstr("a mode is wrong"));
 }
 
-/// The search for the lowest mode finds one that rounding makes wrong. The message is about the modes that were asked
-/// for.
+/// The search for the lowest mode finds one that rounding makes wrong.
 TEST(Eigensolver, SaysThatThereAreNoModesWhereTheLowestIsNotFound) {
   VibratingBody ruler = block(element::hex(3, 2), {1.0, 0.02, 3e-4}, {50, 1, 1});
   ruler.fix("x0");
-  EXPECT_THAT(ruler.refusal({.up_to = 1e-3}), EndsWith("has no modes up to 0.001 Hz"));
+  EXPECT_THAT(ruler.refusal({.up_to = 1e-3}),
+              HasSubstr("has no modes up to 0.001 Hz, and its lowest one was not found: a mode is wrong"));
 }
 
 TEST(Eigensolver, SaysTheLowestFrequencyWhereABodyHasNoModesUpToTheWantedOne) {

@@ -94,7 +94,7 @@ Modes find_modes(const scene::Solids& solids, const mesh::Part& part, const Oper
   const double shift = std::pow(angular(found.shift), 2);
   const EigenpairCount count = wanted(options, operators, found.rigid_motions);
   if (count.count < 1) {
-    throw NoModes(name, options.up_to.value(), lowest_frequency(operators, rigid, shift, options.watch));
+    throw no_modes_up_to(options.up_to.value(), name, operators, rigid, shift);
   }
   auto pairs = lowest_eigenpairs(operators, rigid, count, shift, options.watch);
   if (options.align_double_modes) {

@@ -119,10 +119,10 @@ std::vector<Eigenpair> search(const EigenProblem& problem, const Known& known, i
     value -= shift;
     if (!(value > 0) || !(error < largest_residual)) {
       throw std::runtime_error(
-          fmt::format("mode {} is wrong (eigenvalue {:.3g} 1/s2, relative residual {:.2g}): either a part of the body "
+          fmt::format("a mode is wrong (eigenvalue {:.3g} 1/s2, relative residual {:.2g}): either a part of the body "
                       "hangs on by a line or a point, or the elements are so thin that rounding decides such a low "
-                      "mode; then thicker elements, or fewer through the thickness, help",
-                      i + 1, value, error));
+                      "mode; then fewer elements through the thickness help, or an ideal plate (ideal_bodies)",
+                      value, error));
     }
     pairs.push_back({value, problem.extended(vector)});
   }
@@ -219,14 +219,13 @@ std::vector<Eigenpair> lowest_eigenpairs(const EigenProblem& problem,
   return pairs;
 }
 
-std::optional<double> lowest_frequency(const EigenProblem& problem,
-                                       const std::vector<std::vector<double>>& rigid_motions, double shift,
-                                       const PartWatch& watch) {
+NoModes no_modes_up_to(double frequency, const std::string& body, const EigenProblem& problem,
+                       const std::vector<std::vector<double>>& rigid_motions, double shift) {
   try {
-    const double lowest = lowest_eigenpairs(problem, rigid_motions, {1}, shift, watch).front().value;
-    return std::sqrt(lowest) / (2 * std::numbers::pi);
-  } catch (const std::runtime_error&) {
-    return {};  // whoever asked for other modes need not hear of this one's faults
+    const double lowest = lowest_eigenpairs(problem, rigid_motions, {1}, shift).front().value;
+    return {body, frequency, std::sqrt(lowest) / (2 * std::numbers::pi)};
+  } catch (const std::runtime_error& error) {
+    return {body, frequency, std::string(error.what())};
   }
 }
 

@@ -2,10 +2,12 @@
 // SLEPc's Krylov-Schur, shifted and inverted by MUMPS's parallel Cholesky factors.
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "eigen_problem.hpp"
 #include "idiophone/foundation/part_watch.hpp"
+#include "idiophone/solids/eigenmodes/no_modes.hpp"
 
 namespace idiophone::eigenmodes {
 
@@ -30,10 +32,10 @@ struct EigenpairCount {
                                                        const EigenpairCount& wanted, double shift,
                                                        const PartWatch& watch = {});
 
-/// The frequency of the lowest mode beside the rigid motions, Hz, for messages; none where lowest_eigenpairs() fails.
-/// Collective. The parameters are those of lowest_eigenpairs().
-[[nodiscard]] std::optional<double> lowest_frequency(const EigenProblem& problem,
-                                                     const std::vector<std::vector<double>>& rigid_motions,
-                                                     double shift, const PartWatch& watch = {});
+/// The error of a body that has no modes up to a frequency (Hz). It searches for the lowest mode, to name its
+/// frequency. Collective.
+/// @param body  as in NoModes; the other parameters are those of lowest_eigenpairs()
+[[nodiscard]] NoModes no_modes_up_to(double frequency, const std::string& body, const EigenProblem& problem,
+                                     const std::vector<std::vector<double>>& rigid_motions, double shift);
 
 }  // namespace idiophone::eigenmodes

@@ -78,7 +78,7 @@ std::vector<Eigenpair> wanted_eigenpairs(const PlaneProblem& problem, const std:
   if (wanted.up_to) {
     count = eigenvalues_below(problem, std::pow(2 * std::numbers::pi * *wanted.up_to, 2)) - rigid;
     if (count < 1) {
-      throw NoModes("the " + body, *wanted.up_to, lowest_frequency(problem, rigid_motions, shift));
+      throw no_modes_up_to(*wanted.up_to, "the " + body, problem, rigid_motions, shift);
     }
   }
   if (count > problem.size() - rigid) {

@@ -13,13 +13,15 @@ class NoModes : public std::runtime_error {
   using std::runtime_error::runtime_error;
 
   /// None up to a frequency.
-  /// @param body              as the message calls it: "body 'bar'"
-  /// @param up_to             that was asked for, Hz
-  /// @param lowest_frequency  that it has, Hz; none where it is not known
-  NoModes(const std::string& body, double up_to, std::optional<double> lowest_frequency);
+  /// @param body    as the message calls it: "body 'bar'"
+  /// @param up_to   that was asked for, Hz
+  /// @param lowest  frequency of its lowest mode, Hz
+  NoModes(const std::string& body, double up_to, double lowest);
+  /// None up to a frequency, where the lowest mode was not found.
+  /// @param reason  why it was not found
+  NoModes(const std::string& body, double up_to, const std::string& reason);
 
-  std::optional<double>
-      lowest;  ///< frequency of the lowest mode, Hz; none where it is not known, or there are no modes
+  std::optional<double> lowest;  ///< frequency of the lowest mode, Hz, if it is known
 };
 
 }  // namespace idiophone::eigenmodes
