@@ -11,7 +11,9 @@
 
 namespace {
 
-/// Whether code at this address is part of MPI_Iprobe.
+/// Whether code at this address is part of MPI_Iprobe. Open MPI 4 jumps from there to sched_yield by way of
+/// opal_progress, so that the address to return to is in MPI_Iprobe. Should another version call it, tests are slow
+/// again.
 bool is_of_iprobe(const void* address) noexcept {
   Dl_info symbol{};
   return dladdr(address, &symbol) != 0 && symbol.dli_sname != nullptr &&

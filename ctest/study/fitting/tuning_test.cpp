@@ -82,7 +82,7 @@ TEST(Tune, TellsAnErrorThatNeverRises) {
   };
   std::vector<double> told;
   const auto watch = [&](const SearchState& state) {
-    const std::string before = "best so far: ";  // which the number of the search may come before
+    const std::string before = "best so far: ";  // after the number of the search, if it has one
     told.push_back(std::stod(state.best.substr(state.best.find(before) + before.size())));
     return state.solves < 25;
   };

@@ -51,9 +51,11 @@ class Air {
   /// Takes the next `count` audio samples out, summed over the ranks, from audio sample 0 on. To be called after
   /// finish(). Collective.
   /// @return [listeners][receivers x count] on rank 0, a sample's receivers side by side
+  /// @throws std::logic_error if something is still on its way
   [[nodiscard]] virtual std::vector<std::vector<double>> take(std::size_t count) = 0;
 
   /// All that decides the future. To be called after finish(). Restoring takes the place of start(). Collective.
+  /// @throws std::logic_error if something is still on its way
   virtual void archive(parallel::Archive& archive) = 0;
 };
 

@@ -51,8 +51,8 @@ class Ears {
   /// Radiates what the surface emitted at an audio sample to every receiver, by way of the floor or of the walls of the
   /// room as well. No communication.
   /// @param sight  visibility for each ear, and for reflections where it has them; null: everything is visible
-  /// @param local_sounds  [ear_count()] ears where the sound is known as it is hear that instead, from all directions,
-  ///                      and with it the floor's reflection; empty: nowhere
+  /// @param local_sounds  [ear_count()] what an ear hears instead, from all directions, with the floor's reflection;
+  ///                      none where it hears the surface; empty: no ear has such a sound
   /// @param late_emission  what the late field of a room gets instead; null: the emission
   /// @throws std::runtime_error when a sound is not finite or too loud to be summed exactly, such an ear is a head, or
   ///         something is outside the room

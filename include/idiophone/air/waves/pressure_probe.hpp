@@ -18,7 +18,7 @@ class PressureProbe {
   PressureProbe& operator=(PressureProbe&&) = delete;
 
   /// Reads these cells from now on. To be called before begin(), or after finish().
-  /// @param cells  at most as many as at the beginning
+  /// @param cells  at most as many as the probe was made with
   virtual void set_cells(std::span<const Index> cells) = 0;
 
   /// Takes the pressures of the present. Does not wait for an accelerator.

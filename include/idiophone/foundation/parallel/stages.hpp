@@ -17,7 +17,7 @@ class Stages {
   /// Registers the stages with PETSc if its option -log_view is given, since marking them takes time.
   Stages();
 
-  /// Seconds spent in a stage on this rank so far.
+  /// Seconds spent in a stage on this rank, where no scope is open.
   [[nodiscard]] double seconds(Stage stage) const { return seconds_[static_cast<std::size_t>(stage)]; }
   [[nodiscard]] double total() const;
 
@@ -27,8 +27,8 @@ class Stages {
     seconds_[static_cast<std::size_t>(to)] += seconds;
   }
 
-  /// Lasts as long as a piece of work of one stage. Within the scope of another stage, the time counts for this one
-  /// only.
+  /// Lasts as long as a piece of work of one stage. Scopes can nest: the time in the inner one does not count for the
+  /// stage of the outer one. All are of one thread. The stages must outlive them, and stay where they are.
   class Scope {
    public:
     Scope(Stages& stages, Stage stage);
