@@ -32,7 +32,12 @@ void WaveAir::propagate(std::int64_t sample, const surface::Emission& emission, 
   if (grid_.failed()) {
     return;
   }
-  receive();
+  try {
+    receive();
+  } catch (const std::runtime_error&) {
+    hear_the_rest();  // it is earlier, and its problem is told rather than this one
+    throw;
+  }
   shared_pressures_.begin(own_pressures(emission.pressure));
   sending_ = true;
   grid_.send_positions(sample, motion);
@@ -67,6 +72,10 @@ void WaveAir::hear(const Arrived& arrived) {
 
 void WaveAir::finish() {
   const parallel::Stages::Scope stage(stages_, parallel::Stage::radiation);
+  hear_the_rest();
+}
+
+void WaveAir::hear_the_rest() {
   if (const std::optional<Arrived> arrived = wait_for_pressures()) {
     hear(*arrived);
   }

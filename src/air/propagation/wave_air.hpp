@@ -54,6 +54,8 @@ class WaveAir : public Air {
   void begin_reads(std::int64_t sample);
   [[nodiscard]] std::optional<Arrived> wait_for_pressures();
   void hear(const Arrived& arrived);
+  /// The audio sample that is on the way, if there is one.
+  void hear_the_rest();
   void require_finished() const;
   [[nodiscard]] std::vector<float> own_pressures(const std::vector<double>& padded) const;
   [[nodiscard]] std::vector<float> in_global_order(std::span<const float> gathered) const;
