@@ -129,25 +129,31 @@ class Answers(program.TestCase):
         self.assertTrue(all(contact["begin"] < 1e-3 for contact in lying.values()), lying)
 
     def test_check_plays_nothing_where_the_memory_does_not_suffice(self):
-        largest_grid = 29e9  # bytes
-        if os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") > largest_grid:
-            self.skipTest("this machine has room for the largest grid")
-        command = "check", program.deck("struck"), "--set", "radiation={model: waves, cell: 1.03e-4}", "-n", 2
-        job = program.idiophone(*command, "--json")
+        command = "check", program.deck("struck"), "--set", "radiation={model: waves, cell: 0.01}", "-n", 2
+        small = program.preload("SMALL_MACHINE", MACHINE_BYTES="1000000")
+        exchanges = self.output / "exchanges.json"
+        job = program.idiophone(*command, "--json", "--exchanges", exchanges, environment=small)
         self.require_status(job, program.FINISHED)
         self.assertIn("the run does not fit into this memory, so its first moments were not played", job.stderr)
+        self.assertIn("and there are 1 MB: use more machines", job.stderr)
         answer = json.loads(job.stdout)
         costs = answer["costs"]
-        self.assertGreater(costs["memory_bytes"], largest_grid)
-        self.assertTrue(costs["contacts"])
-        self.assertTrue(all(contact is None for contact in costs["contacts"].values()), costs)
+        self.assertEqual(costs["contacts"], {"strike": None})
         self.assertFalse(costs["played"])
         self.assertGreater(costs["least_seconds"], 0)
-        for unknown in costs["seconds"], costs["most_seconds"], costs["contact_seconds"], answer["prediction"]["waves"]:
+        for unknown in costs["seconds"], costs["most_seconds"], costs["contact_seconds"]:
             self.assertIsNone(unknown)
-        told = program.idiophone(*command).stdout
-        for said in "the time of their steps is not known", "is not known, as nothing was played, and not counted", \
-                    "more than", "waves: their cells, memory and time on these ranks are not known":
+        waves, played = answer["prediction"]["waves"], self.ask(*command)["prediction"]["waves"]
+        for of_the_grid in "cells", "neighbours", "halo_bytes", "memory_bytes":
+            self.assertGreater(waves[of_the_grid], 0)
+            self.assertEqual(waves[of_the_grid], played[of_the_grid])
+        for time in "step_seconds", "waiting_seconds", "speed_up":
+            self.assertIsNone(waves[time])
+            self.assertGreaterEqual(played[time], 0)
+        self.assertIsNone(json.loads(exchanges.read_text())["waves"])
+        told = program.idiophone(*command, environment=small).stdout
+        for said in "the time of their steps is not known", "more than", f"waves: at most {waves['cells']:.0f} cells", \
+                    "contact strike: its time is not counted: the run does not fit into this memory":
             self.assertIn(said, told)
 
     def test_a_prediction_is_what_a_run_has(self):

@@ -2,15 +2,18 @@
 add_library(collective_counter MODULE app/preloaded/collective_counter.cpp)
 add_library(block_signal MODULE app/preloaded/block_signal.cpp)
 add_library(failing_calls MODULE app/preloaded/failing_calls.cpp)
+add_library(small_machine MODULE app/preloaded/small_machine.cpp)
 target_link_libraries(collective_counter PRIVATE MPI::MPI_CXX idiophone_flags)
 target_link_libraries(block_signal PRIVATE MPI::MPI_CXX idiophone_flags)
 target_link_libraries(failing_calls PRIVATE MPI::MPI_CXX idiophone_flags)
+target_link_libraries(small_machine PRIVATE idiophone_flags)
 list(JOIN IDIOPHONE_MPIRUN " " mpirun)
 
 set(IDIOPHONE_APP_ENVIRONMENT
     "${IDIOPHONE_MPI_ENVIRONMENT};PYTHONDONTWRITEBYTECODE=1;IDIOPHONE=$<TARGET_FILE:idiophone>;IDIOPHONE_MPIRUN=${mpirun};\
 IDIOPHONE_SANITIZE=${IDIOPHONE_SANITIZE};\
 COLLECTIVE_COUNTER=$<TARGET_FILE:collective_counter>;BLOCK_SIGNAL=$<TARGET_FILE:block_signal>;FAILING_CALLS=$<TARGET_FILE:failing_calls>;\
+SMALL_MACHINE=$<TARGET_FILE:small_machine>;\
 IDIOPHONE_BUILD=${PROJECT_BINARY_DIR};IDIOPHONE_WEB_MODULES=${PROJECT_BINARY_DIR}/web;IDIOPHONE_LV2=${PROJECT_BINARY_DIR}/lv2")
 
 function(idiophone_app_test name)

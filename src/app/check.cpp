@@ -198,10 +198,11 @@ int check(const CheckOptions& options) {
   const bool fits = needed <= memory;
   const advice::RehearsedSample sample =
       fits ? advice::rehearse(ready, step_seconds, MPI_COMM_WORLD) : motion_alone(ready, step_seconds);
-  if (prediction && waves && fits) {
+  if (prediction && waves) {
     const double of_all = sample.radiation * parallel::size_of(MPI_COMM_WORLD);
     prediction->waves =
-        advice::predict_waves(*waves, *options.prediction.ranks, of_all / waves->steps, prediction->network);
+        advice::predict_waves(*waves, *options.prediction.ranks,
+                              fits ? std::optional(of_all / waves->steps) : std::nullopt, prediction->network);
   }
   if (!options.prediction.exchanges.empty() && parallel::is_root(MPI_COMM_WORLD)) {
     write_exchanges(*prediction, options.prediction.exchanges);
@@ -236,9 +237,6 @@ int check(const CheckOptions& options) {
     report(costs, ready.scene, contacts);
     if (prediction) {
       report(*prediction);
-      if (waves && !prediction->waves) {
-        spdlog::info("  waves: their cells, memory and time on these ranks are not known, as nothing was played");
-      }
     }
   }
   loop::compare_memory(costs.memory, memory);

@@ -59,9 +59,10 @@ advice::Network network_of(const RankOptions& options) {
 }
 
 void write_exchanges(const advice::RankPrediction& prediction, const std::filesystem::path& file) {
+  const bool has_times = prediction.waves && prediction.waves->times;
   const nlohmann::json facts = {
       {"motion", advice::facts_of(prediction.steps)},
-      {"waves", prediction.waves ? advice::facts_of(prediction.waves->steps) : nlohmann::json()}};
+      {"waves", has_times ? advice::facts_of(prediction.waves->times->steps) : nlohmann::json()}};
   if (!(std::ofstream(file) << facts).flush()) {
     throw std::runtime_error(fmt::format("cannot write {}", file.string()));
   }

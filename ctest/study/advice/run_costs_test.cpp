@@ -56,5 +56,22 @@ TEST(RunCosts, AreNotEstimatedWhereNothingWasPlayed) {
   EXPECT_EQ(facts_of({.least = 4, .most = 25}, scene, {}).at("seconds"), 10);
 }
 
+TEST(RunCosts, SayWhyAContactIsNotCounted) {
+  scene::Scene scene;
+  scene.bodies.resize(2);
+  scene.bodies[0].name = "fork";
+  scene.contacts.resize(2);
+  scene.contacts[0].name = "clack";
+  scene.contacts[0].other = 0;
+  scene.contacts[1].name = "hit";
+  scene.contacts[1].other = 1;
+  ::testing::internal::CaptureStdout();
+  report({.is_played = false}, scene, unknown_costs(scene));
+  EXPECT_THAT(::testing::internal::GetCapturedStdout(),
+              AllOf(HasSubstr("contact clack: its time is not counted: nobody knows before the run when parts of fork "
+                              "touch"),
+                    HasSubstr("contact hit: its time is not counted: the run does not fit into this memory")));
+}
+
 }  // namespace
 }  // namespace idiophone::advice

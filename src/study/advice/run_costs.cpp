@@ -26,12 +26,12 @@ bool can_be_modal(const scene::Body& body) {
   return !body.modal && body.fracture.empty() && body.driven.empty() && std::ranges::all_of(body.fixed, holds_all);
 }
 
-/// For the message about a contact whose cost is not known.
+/// Of a contact whose cost is not known.
 std::string why_unknown(const scene::Scene& scene, const scene::Contact& contact) {
   if (contact.other == contact.body) {
-    return fmt::format(" before the run while parts of {} touch", scene.bodies[contact.body].name);
+    return fmt::format("nobody knows before the run when parts of {} touch", scene.bodies[contact.body].name);
   }
-  return ", as nothing was played";
+  return "the run does not fit into this memory, so nothing was played";
 }
 
 }  // namespace
@@ -103,7 +103,7 @@ void report(const RunCosts& costs, const scene::Scene& scene, const std::vector<
   for (std::size_t c = 0; c < contacts.size(); ++c) {
     const ContactCost& cost = contacts[c];
     if (!cost.is_known) {
-      spdlog::info("contact {}: what it takes is not known{}, and not counted", scene.contacts[c].name,
+      spdlog::info("contact {}: its time is not counted: {}", scene.contacts[c].name,
                    why_unknown(scene, scene.contacts[c]));
       continue;
     }

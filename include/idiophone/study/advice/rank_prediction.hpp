@@ -25,7 +25,7 @@ struct RankPrediction {
   double root_memory = 0.0;  ///< of rank 0, which prepares the run, at its peak, bytes
   StepTime step;
   double speed_up = 1.0;                ///< over one rank
-  std::optional<WavePrediction> waves;  ///< none: another radiation model, or not rehearsed
+  std::optional<WavePrediction> waves;  ///< none: another radiation model
 };
 
 /// What predict_ranks() needs, before meshes are read. Collective.
