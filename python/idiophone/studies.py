@@ -76,7 +76,8 @@ class TunedMode:
     wanted: float                     #: Hz
     cents: float                      #: of the frequency above the wanted one
     similarity: float                 #: of its shape to that at the start, from 0 to 1
-    sensitivities: dict[str, float]   #: key -> cents per unit of this number
+    #: key -> cents per unit of this number; None if the search ended before it had computed this, as in decays and levels
+    sensitivities: dict[str, float | None]
 
 
 @dataclass(frozen=True)
@@ -88,7 +89,7 @@ class TunedDecay:
     decay_time: float                 #: s
     wanted: float                     #: s
     percent: float                    #: of the decay time above the wanted one
-    sensitivities: dict[str, float]   #: key -> percent per unit of this number
+    sensitivities: dict[str, float | None]  #: key -> percent per unit of this number
 
 
 @dataclass(frozen=True)
@@ -100,7 +101,7 @@ class TunedLevel:
     level: float                      #: in the end
     wanted: float                     #: dB
     reached: bool                     #: whether it is within the tolerance, or beyond the limit
-    sensitivities: dict[str, float]   #: key -> dB per unit of this number; 0 beyond a limit
+    sensitivities: dict[str, float | None]  #: key -> dB per unit of this number; 0 beyond a limit
 
 
 @dataclass(frozen=True)

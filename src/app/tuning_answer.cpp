@@ -38,6 +38,13 @@ std::string bound_text(fitting::Bound bound) {
   return "";
 }
 
+/// Of a row of a table, per 0.001 of each variable.
+void print_sensitivities(const std::vector<double>& sensitivities, int digits) {
+  for (const double sensitivity : sensitivities) {
+    fmt::print("  {:>12}", std::isnan(sensitivity) ? "-" : fmt::format("{:+.{}f}", sensitivity * 1e-3, digits));
+  }
+}
+
 void print_values(const Tuning& tuning, const std::vector<Variable>& variables) {
   fmt::print("{:<40}  {:>12}  {:>12}\n", "key", "start", "tuned");
   for (std::size_t i = 0; i < variables.size(); ++i) {
@@ -60,9 +67,7 @@ void print_modes(const Tuning& tuning, const std::vector<Variable>& variables) {
                mode.mode, mode.start, mode.frequency,
                std::isnan(mode.mesh_error) ? "-" : fmt::format("{:+.1f}", mode.mesh_error), mode.wanted, mode.cents,
                mode.similarity);
-    for (const double sensitivity : tuning.sensitivities[m]) {
-      fmt::print("  {:>+12.3f}", sensitivity * 1e-3);
-    }
+    print_sensitivities(tuning.sensitivities[m], 3);
     fmt::print("  {}\n", mode.kind);
   }
   fmt::print(
@@ -83,9 +88,7 @@ void print_decays(const Tuning& tuning, const std::vector<Variable>& variables) 
   for (const TunedDecay& decay : tuning.decays) {
     fmt::print("{:>10}  {:>4}  {:>12.4g}  {:>12.4g}  {:>12.4g}  {:>+8.2f}", decay.start_mode, decay.mode, decay.start,
                decay.decay_time, decay.wanted, decay.percent);
-    for (const double sensitivity : decay.sensitivities) {
-      fmt::print("  {:>+12.3f}", sensitivity * 1e-3);
-    }
+    print_sensitivities(decay.sensitivities, 3);
     fmt::print("\n");
   }
   fmt::print("(decay time: T60, by the material and the supports, without air; under each key: percent per 0.001)\n");
@@ -116,9 +119,7 @@ void print_levels(const Tuning& tuning, const std::vector<Variable>& variables) 
   for (const TunedLevel& level : tuning.levels) {
     fmt::print("{:<16}  {:>12.2f}  {:>12.2f}  {:>16}", level.wanted.listener, level.start, level.level,
                wanted_text(level.wanted));
-    for (const double sensitivity : level.sensitivities) {
-      fmt::print("  {:>+12.4f}", sensitivity * 1e-3);
-    }
+    print_sensitivities(level.sensitivities, 4);
     fmt::print("\n");
   }
   fmt::print(
@@ -177,11 +178,11 @@ void print_in_tune(const InTune& in_tune, const std::vector<TunedMode>& modes) {
   fmt::print("\n(under each mode: cents for one standard deviation)\n");
 }
 
-/// @param values  [variables]
+/// @param values  [variables] null for NaN
 nlohmann::json by_key(const std::vector<double>& values, const std::vector<Variable>& variables) {
   nlohmann::json object = nlohmann::json::object();
   for (std::size_t i = 0; i < variables.size(); ++i) {
-    object[variables[i].key] = values[i];
+    object[variables[i].key] = loop::number_or_null(values[i]);
   }
   return object;
 }

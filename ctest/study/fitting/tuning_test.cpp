@@ -105,6 +105,22 @@ TEST(Tune, StopsWithTheBestValues) {
   EXPECT_EQ(found.bounds[0], Bound::none);
 }
 
+TEST(Tune, HasTheSensitivitiesOfItsValuesOrNone) {
+  const auto stopped_in = [](int solve) {
+    const auto watch = [&](const SearchState& state) { return state.solves < solve; };
+    return tune(bar_with, {{"length", 0.12, 0.3, 0.2}}, {.values = {1000}},
+                {.modes = {1}, .tolerance = 1e-6, .watch = watch});
+  };
+  for (const int in_a_derivative : {2, 4}) {
+    EXPECT_TRUE(std::isnan(stopped_in(in_a_derivative).sensitivities[0][0])) << in_a_derivative;
+  }
+  for (const int in_a_step : {3, 5}) {
+    const Tuning found = stopped_in(in_a_step);
+    // f ~ 1/length^2, but for shear.
+    EXPECT_NEAR(found.sensitivities[0][0] * found.values[0], -2 * 1200 / std::log(2), 150) << in_a_step;
+  }
+}
+
 TEST(Tune, TellsThatMoreSearchesFollow) {
   SearchState last;
   const auto watch = [&](const SearchState& state) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -36,18 +37,18 @@ struct TuningStopped {};
 struct TriedBody {
   VectorXd point;  ///< [variables] 0 to 1 between the bounds
   TrackedModes tracked;
+  std::optional<MatrixXd> slopes = {};  ///< of its measures over the unknowns, if they were computed
 };
 
 /// The best of several bodies that were accepted.
 struct BestBody {
   TriedBody body;
-  MatrixXd slopes;                                         ///< of its measures over the unknowns
   double error = std::numeric_limits<double>::infinity();  ///< the largest, cents
 
-  /// Of two that are as good, the other: it may be the same one, and its derivatives are known by now.
-  void keep_if_better(const TriedBody& other, const MatrixXd& slopes_of_other, double error_of_other) {
-    if (error_of_other <= error) {
-      *this = {other, slopes_of_other, error_of_other};
+  /// Of two that are as good, the other if its derivatives are known: it may be the same body.
+  void keep_if_better(const TriedBody& other, double error_of_other) {
+    if (error_of_other < error || (error_of_other == error && other.slopes)) {
+      *this = {other, error_of_other};
     }
   }
 };
@@ -66,7 +67,6 @@ class Search {
     });
     start_.tracked.body = mode_shapes_at(start_.point);
     known_ = now_ = start_;
-    slopes_ = MatrixXd::Zero(measures(start_).size(), start_.point.size());
     keep_if_better();
   }
 
@@ -142,12 +142,12 @@ class Search {
 
   /// At the end of a local search.
   void keep_if_better() {
-    best_.keep_if_better(known_, slopes_, largest_error(known_));
+    best_.keep_if_better(known_, largest_error(known_));
     pass();
   }
 
   /// At each accepted point: a search for the least squares may leave the smallest error.
-  void pass() { passed_.keep_if_better(known_, slopes_, largest_error(known_)); }
+  void pass() { passed_.keep_if_better(known_, largest_error(known_)); }
 
   [[nodiscard]] double largest_error(const TriedBody& body) const {
     return wishes_.errors(measures(body)).lpNorm<Eigen::Infinity>();
@@ -244,9 +244,9 @@ class Search {
       const VectorXd beside = point + change * VectorXd::Unit(point.size(), i);
       slopes.col(i) = (measures({beside, follow(known_.tracked, solve(beside))}) - here) / change;
     }
-    slopes_ = std::move(slopes);
+    known_.slopes = slopes;
     pass();
-    return wishes_.residuals(slopes_);
+    return wishes_.residuals(slopes);
   }
 
   [[nodiscard]] std::vector<Bound> bounds_at(const VectorXd& point) const {
@@ -258,9 +258,11 @@ class Search {
     return bounds;
   }
 
-  /// Derivatives of the best body's measures by the variables, in their own units.
+  /// Derivatives of the best body's measures by the variables, in their own units; NaN if they are not known.
   [[nodiscard]] MatrixXd own_slopes() const {
-    MatrixXd slopes = best_.slopes;
+    const MatrixXd unknown = MatrixXd::Constant(measures(best_.body).size(), best_.body.point.size(),
+                                                std::numeric_limits<double>::quiet_NaN());
+    MatrixXd slopes = best_.body.slopes.value_or(unknown);
     for (Eigen::Index v = 0; v < slopes.cols(); ++v) {
       const Variable& variable = variables_[static_cast<std::size_t>(v)];
       slopes.col(v) /= variable.upper - variable.lower;
@@ -310,7 +312,6 @@ class Search {
   int begun_ = 0;    ///< solves before the present search
   std::string refusal_;
   TriedBody start_, known_, now_;  ///< known: the last accepted; now: the last tried
-  MatrixXd slopes_;                ///< measures over the unknowns, at the last accepted point that has them
   BestBody best_;                  ///< of the ends of the local searches
   BestBody passed_;                ///< of all accepted ones
 };

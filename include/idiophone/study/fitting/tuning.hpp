@@ -67,6 +67,7 @@ struct AvoidedBand {
   std::vector<double> frequencies = {};  ///< of these modes, Hz
 };
 
+/// Sensitivities are NaN where the search ended before it had computed those of its best values.
 struct Tuning {
   std::vector<double> values = {};                      ///< [variables]
   std::vector<Bound> bounds = {};                       ///< [variables] that each value sits on
