@@ -52,7 +52,8 @@ TEST(SameBody, EachOfSeveralMaterialsCounts) {
     std::string modes = run;
     modes.replace(modes.find("1e10"), 4, "2e10");
     EXPECT_EQ(difference_of_body(facts(run), facts(run), "bar"), "");
-    EXPECT_EQ(difference_of_body(facts(run), facts(modes), "bar"), "materials.wood.young has another value in their deck");
+    EXPECT_EQ(difference_of_body(facts(run), facts(modes), "bar"),
+              "materials.wood.young has another value in their deck");
   }
 }
 

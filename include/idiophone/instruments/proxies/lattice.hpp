@@ -127,8 +127,9 @@ class Lattice {
   [[nodiscard]] double largest_angular_frequency() const { return largest_angular_frequency_; }
 
   /// The contact at a point of the physics body: where the ray from the centre of mass through the point leaves the
-  /// surface, nearest to the point, shared inversely to the distances (O'Morain 2005, section 6.5, figure 6.2). If a mass
-  /// of the surface is nearer to the point, at this mass: in the middle plane of a thin body, the ray ends at the rim.
+  /// surface, nearest to the point, shared inversely to the distances (O'Morain 2005, section 6.5, figure 6.2). If a
+  /// mass of the surface is nearer to the point, at this mass: in the middle plane of a thin body, the ray ends at the
+  /// rim.
   [[nodiscard]] Contact contact_at(const Vector3& point) const;
 
  private:
